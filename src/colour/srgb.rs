@@ -1,0 +1,80 @@
+//! The sRGB transfer function of 8- and 16-bit files (IEC 61966-2-1).
+
+use crate::math::Vec3;
+use crate::math::functions::power;
+
+/// Linear light of every 8-bit sRGB code, computed at compile time.
+pub static SRGB8_TO_LINEAR: [f32; 256] = srgb8_table();
+
+/// The linear colour of three 8-bit sRGB codes, by table.
+#[inline]
+pub fn decode_srgb8(codes: [u8; 3]) -> Vec3 {
+    Vec3::new(
+        SRGB8_TO_LINEAR[usize::from(codes[0])],
+        SRGB8_TO_LINEAR[usize::from(codes[1])],
+        SRGB8_TO_LINEAR[usize::from(codes[2])],
+    )
+}
+
+/// The sRGB-encoded value in `[0, 1]` of a linear channel; values outside `[0, 1]` are clamped, NaN gives 0.
+pub fn encode_srgb(linear: f32) -> f32 {
+    let linear = if linear > 0.0 { linear.min(1.0) } else { 0.0 };
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * power(linear, 1.0 / 2.4) - 0.055 }
+}
+
+/// The linear value of an sRGB-encoded channel in `[0, 1]`.
+pub const fn decode_srgb(encoded: f64) -> f64 {
+    if encoded <= 0.04045 {
+        return encoded / 12.92;
+    }
+    // x^2.4 = x^2 * fifth root of x^2, the root by Newton's method from above, where it converges monotonically.
+    let base = (encoded + 0.055) / 1.055;
+    let square = base * base;
+    let mut root = 1.0_f64;
+    let mut step = 0;
+    while step < 64 {
+        let fourth = root * root * root * root;
+        root -= (root * fourth - square) / (5.0 * fourth);
+        step += 1;
+    }
+    square * root
+}
+
+const fn srgb8_table() -> [f32; 256] {
+    let mut table = [0.0; 256];
+    let mut code = 0;
+    while code < 256 {
+        table[code] = decode_srgb(code as f64 / 255.0) as f32;
+        code += 1;
+    }
+    table
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn table_follows_the_standard() {
+        for (code, &linear) in SRGB8_TO_LINEAR.iter().enumerate() {
+            let encoded = code as f64 / 255.0;
+            let exact = if encoded <= 0.04045 { encoded / 12.92 } else { ((encoded + 0.055) / 1.055).powf(2.4) };
+            assert!((f64::from(linear) - exact).abs() <= 1e-7 * exact, "code {code}: {linear} against {exact}");
+        }
+    }
+
+    #[test]
+    fn every_code_survives_decoding_and_encoding() {
+        for (code, &linear) in SRGB8_TO_LINEAR.iter().enumerate() {
+            assert_eq!((encode_srgb(linear) * 255.0).round() as usize, code);
+        }
+    }
+
+    #[test]
+    fn encoding_clamps_and_swallows_nan() {
+        assert_eq!(encode_srgb(f32::NAN), 0.0);
+        assert_eq!(encode_srgb(-1.0), 0.0);
+        assert_eq!(encode_srgb(f32::INFINITY), encode_srgb(1.0));
+        assert!((encode_srgb(1.0) - 1.0).abs() < 1e-6);
+    }
+}

@@ -1,0 +1,119 @@
+//! The one error type: what a user reads when the tool cannot run.
+
+use std::fmt;
+use std::path::{Path, PathBuf};
+
+/// Shorthand for results of this crate.
+pub type Result<T> = std::result::Result<T, Error>;
+
+/// One clear message: where (file, line, key), what is wrong, what was expected, what to do.
+///
+/// Printed as
+///
+/// ```text
+/// scene.toml:12: materials.ball.ior: found "glass"
+///   expected: a number of at least 1
+///   help: 1.5 is common window glass
+/// ```
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Error {
+    problem: String,
+    file: Option<PathBuf>,
+    line: Option<usize>,
+    key: Option<String>,
+    expected: Option<String>,
+    help: Option<String>,
+}
+
+impl Error {
+    /// An error that says what is wrong; the place and the advice are added by the methods below.
+    pub fn new(problem: impl Into<String>) -> Self {
+        Self { problem: problem.into(), file: None, line: None, key: None, expected: None, help: None }
+    }
+
+    /// The file the error is in. A file that is already named stays: the innermost one is the most exact.
+    pub fn in_file(mut self, file: impl AsRef<Path>) -> Self {
+        self.file.get_or_insert_with(|| file.as_ref().to_path_buf());
+        self
+    }
+
+    /// The line in the file, counted from 1.
+    pub fn at_line(mut self, line: usize) -> Self {
+        self.line.get_or_insert(line);
+        self
+    }
+
+    /// The key of a scene or table, dotted (`materials.ball.ior`).
+    pub fn at_key(mut self, key: impl Into<String>) -> Self {
+        self.key.get_or_insert_with(|| key.into());
+        self
+    }
+
+    /// What would have been right.
+    pub fn expected(mut self, expected: impl Into<String>) -> Self {
+        self.expected.get_or_insert_with(|| expected.into());
+        self
+    }
+
+    /// What the user can do about it.
+    pub fn help(mut self, help: impl Into<String>) -> Self {
+        self.help.get_or_insert_with(|| help.into());
+        self
+    }
+
+    /// What is wrong, without place or advice.
+    pub fn problem(&self) -> &str {
+        &self.problem
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(file) = &self.file {
+            write!(formatter, "{}:", file.display())?;
+            if let Some(line) = self.line {
+                write!(formatter, "{line}:")?;
+            }
+            write!(formatter, " ")?;
+        }
+        if let Some(key) = &self.key {
+            write!(formatter, "{key}: ")?;
+        }
+        write!(formatter, "{}", self.problem)?;
+        if let Some(expected) = &self.expected {
+            write!(formatter, "\n  expected: {expected}")?;
+        }
+        if let Some(help) = &self.help {
+            write!(formatter, "\n  help: {help}")?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn prints_place_problem_expectation_and_help() {
+        let error = Error::new("found \"glass\"")
+            .in_file("scene.toml")
+            .at_line(12)
+            .at_key("materials.ball.ior")
+            .expected("a number of at least 1")
+            .help("1.5 is common window glass");
+        insta::assert_snapshot!(error, @r#"
+        scene.toml:12: materials.ball.ior: found "glass"
+          expected: a number of at least 1
+          help: 1.5 is common window glass
+        "#);
+    }
+
+    #[test]
+    fn keeps_the_innermost_file() {
+        let error = Error::new("truncated").in_file("posx.jpg").in_file("scene.toml");
+        assert_eq!(error.to_string(), "posx.jpg: truncated");
+    }
+}

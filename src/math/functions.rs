@@ -1,0 +1,58 @@
+//! Elementary functions with the same result on every machine.
+//!
+//! The standard library hands `sin`, `pow` and their kin to the C library of the machine, whose last bit differs from
+//! one system to the next. These are computed in software by the `libm` crate, so pictures agree byte for byte.
+
+/// Sine of an angle in radians.
+pub fn sin(angle: f64) -> f64 {
+    libm::sin(angle)
+}
+
+/// Cosine of an angle in radians.
+pub fn cos(angle: f64) -> f64 {
+    libm::cos(angle)
+}
+
+/// Tangent of an angle in radians.
+pub fn tan(angle: f64) -> f64 {
+    libm::tan(angle)
+}
+
+/// Arc cosine in radians, `[0, pi]`; the argument is clamped to `[-1, 1]` first.
+pub fn arccos(cosine: f64) -> f64 {
+    libm::acos(cosine.clamp(-1.0, 1.0))
+}
+
+/// Angle of the point `(x, y)` in radians, `(-pi, pi]`.
+pub fn arctan2(y: f64, x: f64) -> f64 {
+    libm::atan2(y, x)
+}
+
+/// `base` raised to `exponent`.
+pub fn power(base: f32, exponent: f32) -> f32 {
+    libm::powf(base, exponent)
+}
+
+/// `e` raised to `exponent`.
+pub fn exponential(exponent: f32) -> f32 {
+    libm::expf(exponent)
+}
+
+/// Natural logarithm.
+pub fn logarithm(value: f32) -> f32 {
+    libm::logf(value)
+}
+
+/// Sine and cosine of an angle in degrees, exact at multiples of 90.
+///
+/// A rotation by 90 degrees then maps axes onto axes exactly, which `sin(pi/2 * k)` does not.
+pub fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+    let turn = degrees.rem_euclid(360.0);
+    match turn {
+        0.0 => (0.0, 1.0),
+        90.0 => (1.0, 0.0),
+        180.0 => (0.0, -1.0),
+        270.0 => (-1.0, 0.0),
+        _ => (sin(turn.to_radians()), cos(turn.to_radians())),
+    }
+}
