@@ -5,5 +5,6 @@
 pub mod error;
 
 pub mod colour;
+pub mod envmap;
 pub mod math;
 pub mod picture;

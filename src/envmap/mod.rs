@@ -1,0 +1,5 @@
+//! Environment maps: the faces of a cube, the lookup, where their pictures come from.
+
+mod face;
+
+pub use face::Face;
