@@ -3,7 +3,7 @@
 mod srgb;
 mod tone_map;
 
-pub use srgb::{SRGB8_TO_LINEAR, decode_srgb8, encode_srgb};
+pub use srgb::{SRGB8_TO_LINEAR, decode_srgb8, decode_srgb16, encode_srgb};
 pub use tone_map::ToneMap;
 
 use crate::math::Vec3;

@@ -1,5 +1,7 @@
 //! The sRGB transfer function of 8- and 16-bit files (IEC 61966-2-1).
 
+use std::sync::LazyLock;
+
 use crate::math::Vec3;
 use crate::math::functions::power;
 
@@ -14,6 +16,15 @@ pub fn decode_srgb8(codes: [u8; 3]) -> Vec3 {
         SRGB8_TO_LINEAR[usize::from(codes[1])],
         SRGB8_TO_LINEAR[usize::from(codes[2])],
     )
+}
+
+/// Linear light of every 16-bit sRGB code, computed when the first 16-bit file is read.
+static SRGB16_TO_LINEAR: LazyLock<Vec<f32>> =
+    LazyLock::new(|| (0..=u16::MAX).map(|code| decode_srgb(f64::from(code) / 65535.0) as f32).collect());
+
+/// The linear value of a 16-bit sRGB code, by table.
+pub fn decode_srgb16(code: u16) -> f32 {
+    SRGB16_TO_LINEAR[usize::from(code)]
 }
 
 /// The sRGB-encoded value in `[0, 1]` of a linear channel; values outside `[0, 1]` are clamped, NaN gives 0.
@@ -68,6 +79,14 @@ mod tests {
         for (code, &linear) in SRGB8_TO_LINEAR.iter().enumerate() {
             assert_eq!((encode_srgb(linear) * 255.0).round() as usize, code);
         }
+    }
+
+    #[test]
+    fn every_16_bit_code_survives_decoding_and_encoding() {
+        for code in 0..=u16::MAX {
+            assert_eq!((encode_srgb(decode_srgb16(code)) * 65535.0).round() as u16, code);
+        }
+        assert_eq!(decode_srgb16(257 * 188), SRGB8_TO_LINEAR[188]);
     }
 
     #[test]

@@ -2,10 +2,32 @@
 //!
 //! Only this module touches the image codecs.
 
+mod atomic_file;
+mod bilinear;
 mod decode;
+mod encode;
+mod foreign;
+mod format;
+mod jpeg_extent;
+mod openexr;
+mod output_format;
+mod pixel_codecs;
+mod png;
 mod raster;
 mod texels;
+mod texture;
 
+pub use atomic_file::{check_target, write_atomically};
+pub use bilinear::Footprint;
 pub use decode::{decode, read, read_header};
+pub use encode::{WriteOptions, encode, write};
+pub use format::Format;
+pub use openexr::{EnvironmentLayout, exr_environment};
+pub use output_format::OutputFormat;
+pub use png::{PngDepth, Samples, encode_png, write_png};
 pub use raster::Raster;
-pub use texels::{Format, Header, Picture, Texels};
+pub use texels::{Header, Picture, Texels};
+pub use texture::{Filter, Texture, Wrap};
+
+#[cfg(test)]
+mod tests;

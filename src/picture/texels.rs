@@ -1,6 +1,6 @@
 //! A picture as its file holds it, decoded but not converted: 8-bit files stay 8 bits a channel.
 
-use super::Raster;
+use super::{Format, Raster};
 use crate::colour::{SRGB8_TO_LINEAR, decode_srgb8};
 use crate::math::Vec3;
 
@@ -22,20 +22,6 @@ pub struct Header {
     pub bit_depth: u8,
     /// True if the file has an alpha channel. Its colours are read as they stand; the alpha is not applied.
     pub alpha: bool,
-}
-
-/// The file formats that are read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Format {
-    Jpeg,
-    Png,
-    Tga,
-    Bmp,
-    WebP,
-    Tiff,
-    Hdr,
-    Exr,
 }
 
 /// Texels row by row from the top left.

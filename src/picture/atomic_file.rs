@@ -1,0 +1,86 @@
+//! Files that are there whole or not at all.
+
+use std::io::Write;
+use std::path::Path;
+
+use crate::error::{Error, Result};
+
+/// Writes a file in one step: the bytes go to a temporary file beside the target, which then takes its name. Whatever
+/// happens on the way, the target is the old file or the new one. The permissions are those of any new file (`umask`).
+pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
+    check_target(path)?;
+    write_beside(path, bytes).map_err(|error| Error::new(format!("cannot write: {error}")).in_file(path))
+}
+
+/// An error if a file cannot be written at `path`: its folder is missing, or something else has that name. Worth asking
+/// before hours of rendering.
+pub fn check_target(path: &Path) -> Result<()> {
+    let folder = folder_of(path);
+    if !folder.is_dir() {
+        let problem = format!("cannot write: the folder {} does not exist", folder.display());
+        return Err(Error::new(problem).in_file(path).help("create it, or choose another place"));
+    }
+    match std::fs::metadata(path) {
+        Ok(found) if found.is_dir() => Err(Error::new("cannot write: this is a folder").in_file(path)),
+        Ok(found) if !found.is_file() => Err(Error::new("cannot write: this is not a plain file").in_file(path)),
+        _ => Ok(()),
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
+    }
+}
+
+fn write_beside(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let mut builder = tempfile::Builder::new();
+    builder.prefix(".skycube-").suffix(".partial");
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::PermissionsExt;
+        // The system takes the bits of the umask away from these.
+        builder.permissions(std::fs::Permissions::from_mode(0o666));
+    }
+    let mut file = builder.tempfile_in(folder_of(path))?;
+    file.write_all(bytes)?;
+    file.persist(path).map_err(|error| error.error)?;
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn replaces_the_target_and_leaves_nothing_else() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("picture.png");
+        write_atomically(&path, b"old").unwrap();
+        write_atomically(&path, b"new").unwrap();
+        assert_eq!(std::fs::read(&path).unwrap(), b"new");
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn has_the_permissions_of_any_new_file() {
+        use std::os::unix::fs::PermissionsExt;
+        let folder = tempfile::tempdir().unwrap();
+        let (ours, plain) = (folder.path().join("ours"), folder.path().join("plain"));
+        write_atomically(&ours, b"x").unwrap();
+        std::fs::write(&plain, b"x").unwrap();
+        let mode = |path: &Path| std::fs::metadata(path).unwrap().permissions().mode();
+        assert_eq!(mode(&ours), mode(&plain));
+    }
+
+    #[test]
+    fn a_missing_folder_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = write_atomically(&folder.path().join("missing/picture.png"), b"x").unwrap_err();
+        assert!(error.problem().contains("missing does not exist"), "{error}");
+        let error = write_atomically(folder.path(), b"x").unwrap_err();
+        assert!(error.problem().contains("this is a folder"), "{error}");
+    }
+}

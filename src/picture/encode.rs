@@ -1,0 +1,92 @@
+//! Encoding of a raster as a file.
+
+use std::path::Path;
+
+use image::codecs::hdr::HdrEncoder;
+use image::codecs::jpeg::JpegEncoder;
+use image::{ExtendedColorType, ImageError};
+
+use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, openexr, write_atomically};
+use crate::colour::ToneMap;
+use crate::error::{Error, Result};
+use crate::math::Vec3;
+
+/// What the 8- and 16-bit formats need to know. OpenEXR and HDR hold the linear radiance and ask for nothing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct WriteOptions {
+    pub tone_map: ToneMap,
+    pub png_depth: PngDepth,
+    /// From 1 (small) to 100 (good).
+    pub jpeg_quality: u8,
+}
+
+impl Default for WriteOptions {
+    fn default() -> Self {
+        Self { tone_map: ToneMap::default(), png_depth: PngDepth::default(), jpeg_quality: 92 }
+    }
+}
+
+/// Writes a raster as the file format that the extension of `path` names. The file is there whole or not at all.
+pub fn write(raster: &Raster, path: &Path, options: &WriteOptions) -> Result<()> {
+    let format = OutputFormat::of_path(path)?;
+    check_target(path)?;
+    let encoded = encode(raster, format, options).map_err(|error| error.in_file(path))?;
+    write_atomically(path, &encoded)
+}
+
+/// The bytes of a file that holds the raster.
+pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> Result<Vec<u8>> {
+    let (width, height) = (raster.width(), raster.height());
+    if width == 0 || height == 0 {
+        return Err(Error::new(format!("the picture is empty ({width} x {height})")));
+    }
+    match (format, options.png_depth) {
+        (OutputFormat::Png, PngDepth::Eight) => encode_png(width, height, Samples::Rgb8(&bytes(raster, options))),
+        (OutputFormat::Png, PngDepth::Sixteen) => {
+            let numbers = quantised(raster, options.tone_map, 65535.0, |value| value as u16);
+            encode_png(width, height, Samples::Rgb16(&numbers))
+        }
+        (OutputFormat::Jpeg, _) => encode_jpeg(raster, options),
+        (OutputFormat::Hdr, _) => encode_hdr(raster),
+        (OutputFormat::Exr, _) => openexr::encode(raster),
+    }
+}
+
+/// The display colours as whole numbers from 0 to `largest`, rounded to nearest.
+fn quantised<T>(raster: &Raster, tone_map: ToneMap, largest: f32, number: impl Fn(f32) -> T) -> Vec<T> {
+    let display = |&colour: &Vec3| tone_map.display(colour).to_array();
+    raster.pixels().iter().flat_map(display).map(|value| number((value * largest).round())).collect()
+}
+
+fn bytes(raster: &Raster, options: &WriteOptions) -> Vec<u8> {
+    quantised(raster, options.tone_map, 255.0, |value| value as u8)
+}
+
+fn encode_jpeg(raster: &Raster, options: &WriteOptions) -> Result<Vec<u8>> {
+    let (Ok(width), Ok(height)) = (u16::try_from(raster.width()), u16::try_from(raster.height())) else {
+        return Err(Error::new(format!("{} x {} is too large for JPEG", raster.width(), raster.height()))
+            .expected("at most 65535 x 65535")
+            .help("write it as .png or .exr"));
+    };
+    if !(1..=100).contains(&options.jpeg_quality) {
+        return Err(Error::new(format!("JPEG quality {}", options.jpeg_quality)).expected("from 1 to 100"));
+    }
+    let mut encoded = Vec::new();
+    JpegEncoder::new_with_quality(&mut encoded, options.jpeg_quality)
+        .encode(&bytes(raster, options), u32::from(width), u32::from(height), ExtendedColorType::Rgb8)
+        .map_err(|error| cannot_encode("JPEG", &error))?;
+    Ok(encoded)
+}
+
+fn encode_hdr(raster: &Raster) -> Result<Vec<u8>> {
+    let pixels: Vec<image::Rgb<f32>> = raster.pixels().iter().map(|colour| image::Rgb(colour.to_array())).collect();
+    let mut encoded = Vec::new();
+    HdrEncoder::new(&mut encoded)
+        .encode(&pixels, raster.width(), raster.height())
+        .map_err(|error| cannot_encode("HDR", &error))?;
+    Ok(encoded)
+}
+
+fn cannot_encode(format: &str, error: &ImageError) -> Error {
+    Error::new(format!("cannot encode as {format}: {error}"))
+}

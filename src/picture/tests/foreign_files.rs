@@ -1,0 +1,43 @@
+//! Files that are no pictures, whatever they are called.
+
+use std::path::Path;
+
+use crate::picture::{decode, read, read_header};
+
+fn refused(bytes: &[u8]) -> String {
+    let name = Path::new("posx.jpg");
+    let error = decode(bytes, name).unwrap_err();
+    assert_eq!(read_header(bytes, name).unwrap_err(), error);
+    error.to_string()
+}
+
+#[test]
+fn say_what_they_are() {
+    insta::assert_snapshot!(refused(b"\n<!DOCTYPE html><html><head><title>404"), @r"
+    posx.jpg: this is a web page (HTML), not a picture
+      expected: a JPEG, PNG, TGA, BMP, WebP, TIFF, HDR or OpenEXR picture
+      help: the link led to a page about the file; open it in a browser and download the picture itself
+    ");
+    insta::assert_snapshot!(refused(b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n"), @r"
+    posx.jpg: this is a git-lfs pointer, not the picture itself
+      expected: a JPEG, PNG, TGA, BMP, WebP, TIFF, HDR or OpenEXR picture
+      help: run `git lfs pull` in the repository it came from, then copy the file again
+    ");
+    insta::assert_snapshot!(refused(b""), @r"
+    posx.jpg: the file is empty
+      expected: a JPEG, PNG, TGA, BMP, WebP, TIFF, HDR or OpenEXR picture
+      help: download it again
+    ");
+    assert!(refused(&[0; 1000]).contains("nothing but zero bytes"));
+    assert!(refused(b"PK\x03\x04....").contains("zip archive"));
+    assert!(refused(b"GIF89a").contains("GIF"));
+    assert!(refused(b"Hello, this is the readme.").contains("text file"));
+    assert!(refused(&[7, 200, 3, 0, 99]).contains("no known picture format"));
+}
+
+#[test]
+fn missing_files_and_folders_are_named() {
+    let folder = tempfile::tempdir().unwrap();
+    assert!(read(&folder.path().join("none.png")).unwrap_err().problem().contains("no such file"));
+    assert!(read(folder.path()).unwrap_err().problem().contains("folder"));
+}
