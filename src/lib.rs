@@ -4,7 +4,9 @@
 
 pub mod error;
 
+pub mod bvh;
 pub mod colour;
 pub mod envmap;
 pub mod math;
 pub mod picture;
+pub mod shapes;

@@ -1,0 +1,19 @@
+//! A bounding volume hierarchy: finds the few things a ray may hit among very many.
+//!
+//! It is built over boxes and knows no shape. What it finds are leaves, small sets of neighbouring boxes; the caller
+//! looks at what is inside them. It never passes over a leaf whose box the ray touches, whatever the rounding.
+//!
+//! The binary tree comes from the crate `obvhs`; its nodes are then merged to four children each, whose boxes one
+//! sequence of four-wide instructions tests at once.
+
+mod binary;
+mod float_box;
+mod hierarchy;
+mod node;
+mod slabs;
+mod traversal;
+
+pub use float_box::FloatBox;
+pub use hierarchy::{Hierarchy, LEAF_CAPACITY};
+pub use slabs::HierarchyRay;
+pub use traversal::Visit;

@@ -1,0 +1,71 @@
+//! A node of four children.
+
+use glam::Vec4;
+
+use super::FloatBox;
+
+/// Children of a node.
+pub(super) const WIDTH: usize = 4;
+
+/// What a slot of a node leads to: another node, or a leaf. Fits a register and is kept on the traversal stack.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Child(u32);
+
+impl Child {
+    const LEAF: u32 = 1 << 31;
+
+    pub(super) fn node(index: usize) -> Self {
+        debug_assert!(index < Self::LEAF as usize);
+        Self(index as u32)
+    }
+
+    pub(super) fn leaf(number: usize) -> Self {
+        debug_assert!(number < Self::LEAF as usize);
+        Self(number as u32 | Self::LEAF)
+    }
+
+    /// The number of the leaf, if it is one.
+    pub(super) fn leaf_number(self) -> Option<u32> {
+        (self.0 & Self::LEAF != 0).then_some(self.0 & !Self::LEAF)
+    }
+
+    /// The index of the node, if it is no leaf.
+    pub(super) fn node_index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// Four boxes, a plane of all four in one vector, and what they hold: two cache lines.
+#[derive(Debug, Clone)]
+#[repr(C, align(64))]
+pub(super) struct Node {
+    /// `x`, `y`, `z` of the minima, then of the maxima: of all four children each.
+    pub(super) planes: [Vec4; 6],
+    pub(super) children: [Child; WIDTH],
+    padding: [u32; WIDTH],
+}
+
+impl Node {
+    /// A node without children: empty boxes (minimum above maximum) that no ray enters.
+    pub(super) const EMPTY: Self = Self {
+        planes: [
+            Vec4::INFINITY,
+            Vec4::INFINITY,
+            Vec4::INFINITY,
+            Vec4::NEG_INFINITY,
+            Vec4::NEG_INFINITY,
+            Vec4::NEG_INFINITY,
+        ],
+        children: [Child(0); WIDTH],
+        padding: [0; WIDTH],
+    };
+
+    /// Puts a child into a slot.
+    pub(super) fn set(&mut self, slot: usize, bounds: &FloatBox, child: Child) {
+        for axis in 0..3 {
+            self.planes[axis][slot] = bounds.minimum[axis];
+            self.planes[axis + 3][slot] = bounds.maximum[axis];
+        }
+        self.children[slot] = child;
+    }
+}
