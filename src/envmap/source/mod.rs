@@ -1,0 +1,179 @@
+//! Where the six images of a skybox come from: a folder, a zip as downloaded, six named files, or one picture.
+//!
+//! Opening reads names and headers. Pixels are decoded face by face, when asked for.
+
+mod archive;
+mod face_image;
+mod folder;
+mod layout;
+mod listing;
+mod naming;
+mod passing_over;
+mod selection;
+mod sheet;
+mod sizes;
+#[cfg(test)]
+mod tests;
+
+use std::fs::File;
+use std::io::Read;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+pub use face_image::FaceImage;
+pub use layout::{EnvironmentPicture, Layout};
+pub use sizes::{SizeFault, SizeFaultKind};
+
+use self::archive::Archive;
+use self::sheet::Sheet;
+use crate::envmap::Face;
+use crate::error::{Error, Result};
+
+/// Six images, each the image of the face it is named after. Which image a direction reads is for the lookup to say.
+#[derive(Debug, Clone)]
+pub struct Skybox {
+    /// In the order of [`Face::ALL`].
+    pub images: [FaceImage; 6],
+    /// How the images are stored.
+    pub layout: Layout,
+    /// The files beside the faces that were not used, sorted.
+    pub passed_over: Vec<String>,
+}
+
+impl Skybox {
+    /// Opens a folder, a zip (or a folder in it: `sky.zip/night`), a cross or strip, or an OpenEXR file with
+    /// `envmap = cube`. The faces are square and alike in size; an error names those that are not.
+    pub fn open(path: &Path) -> Result<Self> {
+        Self::open_lenient(path)?.of_one_size().map_err(|error| error.in_file(path))
+    }
+
+    /// As [`Skybox::open`], but faces of any size are taken: [`Skybox::size_faults`] names them.
+    pub fn open_lenient(path: &Path) -> Result<Self> {
+        if path.is_dir() {
+            return open_folder(path);
+        }
+        if path.is_file() {
+            return if is_zip(path)? { open_archive(path, None) } else { open_picture(path) };
+        }
+        match enclosing_file(path) {
+            Some((archive, subfolder)) if is_zip(&archive)? => open_archive(&archive, Some(&subfolder)),
+            _ => Err(Error::new("no such file or folder").in_file(path)),
+        }
+    }
+
+    /// Six named files, each face once in any order, square and alike in size.
+    pub fn from_files(files: &[(Face, PathBuf)]) -> Result<Self> {
+        Self::from_files_lenient(files)?.of_one_size()
+    }
+
+    /// As [`Skybox::from_files`], but faces of any size are taken: [`Skybox::size_faults`] names them.
+    pub fn from_files_lenient(files: &[(Face, PathBuf)]) -> Result<Self> {
+        let mut paths = Vec::new();
+        for face in Face::ALL {
+            let mut named = files.iter().filter(|(named, _)| *named == face).map(|(_, path)| path.clone());
+            match (named.next(), named.next()) {
+                (Some(path), None) => paths.push(path),
+                (None, _) => return Err(Error::new(format!("no file is named for {}", face.name())).expected(ONE_EACH)),
+                _ => return Err(Error::new(format!("several files are named for {}", face.name())).expected(ONE_EACH)),
+            }
+        }
+        let images = images(|index| {
+            let path = &paths[index];
+            FaceImage::from_file(path.clone(), path.display().to_string())
+        })?;
+        Ok(Self { images, layout: Layout::SixFiles, passed_over: Vec::new() })
+    }
+
+    /// The image named after a face.
+    pub fn image(&self, face: Face) -> &FaceImage {
+        &self.images[face.index()]
+    }
+
+    /// The faces that are not square, or differ in size from most.
+    pub fn size_faults(&self) -> Vec<SizeFault> {
+        sizes::size_faults([0, 1, 2, 3, 4, 5].map(|index| {
+            let header = self.images[index].header();
+            (header.width, header.height)
+        }))
+    }
+
+    fn of_one_size(self) -> Result<Self> {
+        let name = |face: Face| self.image(face).name().to_owned();
+        sizes::size_error(&self.size_faults(), name).map_or(Ok(self), Err)
+    }
+}
+
+const ONE_EACH: &str = "one file for each of posx, negx, posy, negy, posz, negz";
+
+fn open_folder(path: &Path) -> Result<Skybox> {
+    let paths = folder::list(path)?;
+    let located = listing::find_faces(&paths).map_err(|error| error.in_file(path))?;
+    let images = images(|index| {
+        let name = &paths[located.six[index]];
+        FaceImage::from_file(path.join(name), name.clone())
+    });
+    let images = images.map_err(|error| error.in_file(path))?;
+    Ok(Skybox { images, layout: Layout::SixFiles, passed_over: located.passed_over })
+}
+
+fn open_archive(path: &Path, subfolder: Option<&str>) -> Result<Skybox> {
+    let archive = Archive::open(path)?;
+    let archive = match subfolder {
+        Some(folder) => archive.subfolder(folder)?,
+        None => archive,
+    };
+    let located = listing::find_faces(&archive.paths()).map_err(|error| error.in_file(path))?;
+    let images = images(|index| {
+        let entry = archive.entry(located.six[index]);
+        let name = entry.name();
+        FaceImage::from_entry(entry, name)
+    });
+    let images = images.map_err(|error| error.in_file(path))?;
+    Ok(Skybox { images, layout: Layout::SixFiles, passed_over: located.passed_over })
+}
+
+fn open_picture(path: &Path) -> Result<Skybox> {
+    let sheet = Arc::new(Sheet::open(path)?);
+    let images = Face::ALL.map(|face| FaceImage::from_cell(&sheet, face));
+    Ok(Skybox { images, layout: sheet.layout(), passed_over: Vec::new() })
+}
+
+/// Six images by their place in [`Face::ALL`]. One error names all that cannot be read.
+fn images(open: impl Fn(usize) -> Result<FaceImage>) -> Result<[FaceImage; 6]> {
+    let mut images = Vec::new();
+    let mut errors = Vec::new();
+    for (index, face) in Face::ALL.into_iter().enumerate() {
+        match open(index) {
+            Ok(image) => images.push(image),
+            Err(error) => errors.push((face, error)),
+        }
+    }
+    images.try_into().map_err(|_| unreadable(errors))
+}
+
+/// The error for faces whose headers cannot be read.
+fn unreadable(mut errors: Vec<(Face, Error)>) -> Error {
+    if errors.len() == 1 {
+        return errors.remove(0).1;
+    }
+    let line =
+        |(face, error): &(Face, Error)| format!("\n  {}: {}", face.name(), error.to_string().replace('\n', "\n  "));
+    let lines: String = errors.iter().map(line).collect();
+    Error::new(format!("{} of the six faces cannot be read{lines}", errors.len()))
+}
+
+/// True if a file begins as a zip archive does, or is named as one.
+fn is_zip(path: &Path) -> Result<bool> {
+    let mut magic = Vec::new();
+    let read = File::open(path).and_then(|file| file.take(2).read_to_end(&mut magic));
+    read.map_err(|error| Error::new(format!("cannot be read: {error}")).in_file(path))?;
+    Ok(magic == b"PK" || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip")))
+}
+
+/// The file that a path leads into, and the rest of the path with `/` between its parts.
+fn enclosing_file(path: &Path) -> Option<(PathBuf, String)> {
+    let file = path.ancestors().skip(1).find(|ancestor| ancestor.is_file())?;
+    let rest = path.strip_prefix(file).ok()?;
+    let parts: Vec<_> = rest.components().map(|part| part.as_os_str().to_string_lossy()).collect();
+    Some((file.to_path_buf(), parts.join("/")))
+}

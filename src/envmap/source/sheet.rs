@@ -1,0 +1,91 @@
+//! One picture that holds all six faces.
+
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use super::face_image::{read_file, read_header};
+use super::layout::{Cell, EnvironmentPicture, Layout};
+use crate::envmap::Face;
+use crate::error::{Error, Result};
+use crate::picture::{self, Header, Picture, Texels};
+
+/// A picture that holds six faces as a cross or strip. It is decoded when the first face is asked for, once.
+#[derive(Debug)]
+pub(super) struct Sheet {
+    path: PathBuf,
+    header: Header,
+    layout: Layout,
+    picture: OnceLock<Result<Picture>>,
+}
+
+impl Sheet {
+    /// Reads the header and tells the layout from it.
+    pub fn open(path: &Path) -> Result<Self> {
+        let header = read_header(|limit| read_file(path, limit), path)?;
+        match recognise(path, header)? {
+            EnvironmentPicture::Cube(layout) => {
+                Ok(Self { path: path.to_path_buf(), header, layout, picture: OnceLock::new() })
+            }
+            EnvironmentPicture::Equirectangular => Err(equirectangular(path, header)),
+        }
+    }
+
+    /// The name of the file.
+    pub fn name(&self) -> String {
+        self.path.file_name().unwrap_or(self.path.as_os_str()).to_string_lossy().into_owned()
+    }
+
+    pub fn layout(&self) -> Layout {
+        self.layout
+    }
+
+    pub fn cell(&self, face: Face) -> Cell {
+        self.layout.cell(face)
+    }
+
+    /// The header of every face: that of the file, with the size of a cell.
+    pub fn cell_header(&self) -> Header {
+        let (columns, rows) = self.layout.grid();
+        Header { width: self.header.width / columns, height: self.header.height / rows, ..self.header }
+    }
+
+    /// The pixels of a cell, turned upright.
+    pub fn cut(&self, cell: Cell) -> Result<Picture> {
+        let picture = self.picture.get_or_init(|| self.decode()).as_ref().map_err(Error::clone)?;
+        let Header { width, height, .. } = self.cell_header();
+        // Column and row in the sheet of the pixel at `x` and `y` of the face.
+        let place = |x: usize, y: usize| {
+            let (x, y) = if cell.upside_down { (width - 1 - x, height - 1 - y) } else { (x, y) };
+            (cell.row * height + y) * picture.width() + cell.column * width + x
+        };
+        let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| place(x, y));
+        let texels = match picture.texels() {
+            Texels::Srgb8(bytes) => {
+                Texels::Srgb8(places.flat_map(|at| [0, 1, 2].map(|channel| bytes[3 * at + channel])).collect())
+            }
+            Texels::Linear(colours) => Texels::Linear(places.map(|at| colours[at]).collect()),
+        };
+        Ok(Picture::new(Header { width, height, ..picture.header() }, texels))
+    }
+
+    fn decode(&self) -> Result<Picture> {
+        let picture = picture::read(&self.path)?;
+        if (picture.width(), picture.height()) == (self.header.width, self.header.height) {
+            return Ok(picture);
+        }
+        Err(Error::new("its pixels are of another size than its header says").in_file(&self.path))
+    }
+}
+
+/// What the picture in a file is.
+pub(super) fn recognise(path: &Path, header: Header) -> Result<EnvironmentPicture> {
+    let attribute = picture::exr_environment(&read_file(path, Some(super::face_image::HEAD))?);
+    EnvironmentPicture::recognise(header.width, header.height, attribute).map_err(|error| error.in_file(path))
+}
+
+fn equirectangular(path: &Path, header: Header) -> Error {
+    Error::new(format!("{} x {} pixels: an equirectangular picture, not six faces", header.width, header.height))
+        .in_file(path)
+        .expected("six faces: a folder, a zip, a cross or strip, or an OpenEXR file with `envmap = cube`")
+        .help("a scene takes such a picture as its equirectangular environment")
+}
