@@ -16,7 +16,11 @@ pub type Result<T> = std::result::Result<T, Error>;
 ///   help: 1.5 is common window glass
 /// ```
 #[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Error {
+pub struct Error(Box<Message>);
+
+/// The parts of an error, boxed so that results stay small.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Message {
     problem: String,
     file: Option<PathBuf>,
     line: Option<usize>,
@@ -28,62 +32,70 @@ pub struct Error {
 impl Error {
     /// An error that says what is wrong; the place and the advice are added by the methods below.
     pub fn new(problem: impl Into<String>) -> Self {
-        Self { problem: problem.into(), file: None, line: None, key: None, expected: None, help: None }
+        Self(Box::new(Message {
+            problem: problem.into(),
+            file: None,
+            line: None,
+            key: None,
+            expected: None,
+            help: None,
+        }))
     }
 
     /// The file the error is in. A file that is already named stays: the innermost one is the most exact.
     pub fn in_file(mut self, file: impl AsRef<Path>) -> Self {
-        self.file.get_or_insert_with(|| file.as_ref().to_path_buf());
+        self.0.file.get_or_insert_with(|| file.as_ref().to_path_buf());
         self
     }
 
     /// The line in the file, counted from 1.
     pub fn at_line(mut self, line: usize) -> Self {
-        self.line.get_or_insert(line);
+        self.0.line.get_or_insert(line);
         self
     }
 
     /// The key of a scene or table, dotted (`materials.ball.ior`).
     pub fn at_key(mut self, key: impl Into<String>) -> Self {
-        self.key.get_or_insert_with(|| key.into());
+        self.0.key.get_or_insert_with(|| key.into());
         self
     }
 
     /// What would have been right.
     pub fn expected(mut self, expected: impl Into<String>) -> Self {
-        self.expected.get_or_insert_with(|| expected.into());
+        self.0.expected.get_or_insert_with(|| expected.into());
         self
     }
 
     /// What the user can do about it.
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.help.get_or_insert_with(|| help.into());
+        self.0.help.get_or_insert_with(|| help.into());
         self
     }
 
     /// What is wrong, without place or advice.
     pub fn problem(&self) -> &str {
-        &self.problem
+        &self.0.problem
     }
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(file) = &self.file {
+        let Message { problem, file, line, key, expected, help } = self.0.as_ref();
+        if let Some(file) = file {
             write!(formatter, "{}:", file.display())?;
-            if let Some(line) = self.line {
+            if let Some(line) = line {
                 write!(formatter, "{line}:")?;
             }
             write!(formatter, " ")?;
         }
-        if let Some(key) = &self.key {
+        if let Some(key) = key {
             write!(formatter, "{key}: ")?;
         }
-        write!(formatter, "{}", self.problem)?;
-        if let Some(expected) = &self.expected {
+        write!(formatter, "{problem}")?;
+        if let Some(expected) = expected {
             write!(formatter, "\n  expected: {expected}")?;
         }
-        if let Some(help) = &self.help {
+        if let Some(help) = help {
             write!(formatter, "\n  help: {help}")?;
         }
         Ok(())

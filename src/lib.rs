@@ -4,9 +4,28 @@
 
 pub mod error;
 
-pub mod bvh;
-pub mod colour;
-pub mod envmap;
 pub mod math;
+
+pub mod colour;
+pub mod sampling;
+
 pub mod picture;
+
+pub mod envmap;
+
+pub mod bvh;
 pub mod shapes;
+
+pub mod camera;
+pub mod lights;
+pub mod materials;
+
+pub mod scene;
+
+pub mod integrators;
+
+pub mod render;
+
+pub mod report;
+
+pub mod commands;

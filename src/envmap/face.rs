@@ -51,7 +51,7 @@ impl Face {
 
     /// The unit direction through the middle of the face.
     pub fn normal(self) -> Vec3 {
-        let sign = if self.index() % 2 == 0 { 1.0 } else { -1.0 };
+        let sign = if self.index().is_multiple_of(2) { 1.0 } else { -1.0 };
         let mut normal = [0.0; 3];
         normal[self.axis()] = sign;
         Vec3::from_array(normal)

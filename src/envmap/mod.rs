@@ -1,6 +1,24 @@
 //! Environment maps: the faces of a cube, the lookup, where their pictures come from.
 
+mod axis;
+mod background;
+mod cube_map;
+mod environment;
 mod face;
+mod lazy_image;
+mod lookup;
+mod preset;
+mod seamless;
 pub mod source;
 
+pub use axis::SignedAxis;
+pub use background::{Equirectangular, Gradient};
+pub use cube_map::{CubeFilter, CubeMap};
+pub use environment::{Environment, EnvironmentKind};
 pub use face::Face;
+pub use lazy_image::{Decoder, LazyImage};
+pub use lookup::{FaceLookup, FacePoint, ImagePoint, Lookup, VOrigin};
+pub use preset::Preset;
+
+#[cfg(test)]
+mod tests;

@@ -38,6 +38,15 @@ impl Footprint {
         Self { columns, rows, horizontal, vertical }
     }
 
+    /// The footprint in a picture whose right border continues at its left one; rows are clamped.
+    pub fn around(x: f32, y: f32, width: usize, height: usize) -> Self {
+        let (rows, vertical) = neighbours(y, height);
+        let centred = if x.is_finite() { x - 0.5 } else { 0.0 };
+        let before = centred.floor();
+        let first = before.rem_euclid(width as f32) as usize % width;
+        Self { columns: [first, (first + 1) % width], rows, horizontal: centred - before, vertical }
+    }
+
     /// Column, row and weight of the four texels: top left, top right, bottom left, bottom right. The weights add up
     /// to 1; at a border the same texel appears more than once.
     pub fn weighted_texels(&self) -> [(usize, usize, f32); 4] {
@@ -81,8 +90,13 @@ impl Picture {
     /// around it and clamped at the border. Texel centres are at half integers. Any `x`, `y` are allowed.
     #[inline]
     pub fn bilinear(&self, x: f32, y: f32) -> Vec3 {
+        self.interpolate(&Footprint::new(x, y, self.width(), self.height()))
+    }
+
+    /// The linear colour of a footprint.
+    #[inline]
+    pub fn interpolate(&self, footprint: &Footprint) -> Vec3 {
         let width = self.width();
-        let footprint = Footprint::new(x, y, width, self.height());
         match self.texels() {
             Texels::Srgb8(bytes) => footprint.interpolate(|column, row| {
                 let index = 3 * (row * width + column);

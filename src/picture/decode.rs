@@ -36,6 +36,12 @@ pub fn read(path: &Path) -> Result<Picture> {
     decode(&encoded, path)
 }
 
+/// What a picture file says of its picture, without decoding the pixels.
+pub fn read_file_header(path: &Path) -> Result<Header> {
+    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    read_header(&encoded, path)
+}
+
 fn format_of(encoded: &[u8], name: &Path) -> Result<Format> {
     Format::of_content(encoded, name).ok_or_else(|| foreign::not_a_picture(encoded).in_file(name))
 }

@@ -19,7 +19,7 @@ mod texture;
 
 pub use atomic_file::{check_target, write_atomically};
 pub use bilinear::Footprint;
-pub use decode::{decode, read, read_header};
+pub use decode::{decode, read, read_file_header, read_header};
 pub use encode::{WriteOptions, encode, write};
 pub use format::Format;
 pub use openexr::{EnvironmentLayout, exr_environment};

@@ -1,1 +1,14 @@
+//! Shapes: where a ray meets them, and the surface there.
+//!
+//! Every shape is canonical in a space of its own (the unit sphere, the plane z = 0, the cube [-1, 1]^3) and is placed
+//! in the world by a transform. Intersection is computed in `f64`, so that it stays exact to an ulp of `f32` over
+//! twelve decades of scale.
+
+mod cuboid;
+mod flat;
 pub mod mesh;
+mod primitive;
+mod sphere;
+
+pub use flat::Outline;
+pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};

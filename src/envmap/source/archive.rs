@@ -67,6 +67,11 @@ impl Archive {
 }
 
 impl ArchiveEntry {
+    /// The archive on disk.
+    pub fn archive_file(&self) -> &Path {
+        &self.archive
+    }
+
     /// The archive's path followed by the path in it, for errors.
     pub fn path(&self) -> PathBuf {
         self.archive.join(&self.path)

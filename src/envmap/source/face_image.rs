@@ -56,6 +56,15 @@ impl FaceImage {
         &self.name
     }
 
+    /// The file on disk that the pixels are read from: the image itself, the archive or the larger picture.
+    pub fn file(&self) -> &Path {
+        match &self.origin {
+            Origin::File(path) => path,
+            Origin::Entry(entry) => entry.archive_file(),
+            Origin::Cell(sheet, _) => sheet.path(),
+        }
+    }
+
     /// Format, and width and height of the face in pixels. For a cell of a larger picture the size is that of the cell.
     pub fn header(&self) -> Header {
         self.header

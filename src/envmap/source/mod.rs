@@ -89,6 +89,13 @@ impl Skybox {
         &self.images[face.index()]
     }
 
+    /// The files on disk that the images are read from, each once.
+    pub fn files(&self) -> Vec<PathBuf> {
+        let mut files: Vec<PathBuf> = self.images.iter().map(|image| image.file().to_path_buf()).collect();
+        files.dedup();
+        files
+    }
+
     /// The faces that are not square, or differ in size from most.
     pub fn size_faults(&self) -> Vec<SizeFault> {
         sizes::size_faults([0, 1, 2, 3, 4, 5].map(|index| {

@@ -19,6 +19,11 @@ pub(super) struct Sheet {
 }
 
 impl Sheet {
+    /// The file of the picture.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
     /// Reads the header and tells the layout from it.
     pub fn open(path: &Path) -> Result<Self> {
         let header = read_header(|limit| read_file(path, limit), path)?;

@@ -5,7 +5,9 @@
 
 mod departure;
 mod geometry;
+mod obj_stub;
 mod packet;
+pub use obj_stub::{MtlMaterial, ObjFile};
 mod surface;
 mod triangle;
 

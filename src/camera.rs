@@ -1,0 +1,104 @@
+//! The pinhole camera.
+//!
+//! ```text
+//!             up            right = forward x up
+//!              |   forward
+//!              |  /         image plane at distance 1: the picture's height is 2 tan(field_of_view / 2),
+//!              | /          pixel (0, 0) is the top left one
+//!   position   o----- right
+//! ```
+
+use crate::math::functions::{cos, sin};
+use crate::math::{DVec3, Ray};
+
+/// A camera that sees a rectangle of a plane through a point.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Camera {
+    position: DVec3,
+    /// From the middle of the image plane to the middle of its right border.
+    right: DVec3,
+    /// From the middle of the image plane to the middle of its top border.
+    top: DVec3,
+    forward: DVec3,
+    width: usize,
+    height: usize,
+}
+
+impl Camera {
+    /// A camera at `position` that looks at `target` with `up` upwards in the picture; vertical field of view in
+    /// degrees, picture size in pixels. `None` if target and up leave the orientation open (the target at the
+    /// position, up along the view, or anything not finite).
+    pub fn look_at(
+        position: DVec3,
+        target: DVec3,
+        up: DVec3,
+        field_of_view_degrees: f64,
+        [width, height]: [usize; 2],
+    ) -> Option<Self> {
+        let forward = (target - position).try_normalize()?;
+        let right = forward.cross(up.try_normalize()?);
+        // Less than a thousandth of a degree between up and the view does not define a right.
+        if right.length() < 1e-5 {
+            return None;
+        }
+        let right = right.normalize();
+        let half_angle = field_of_view_degrees.to_radians() / 2.0;
+        // Exact for 90 degrees, whose views tile the cube.
+        let half_height = if field_of_view_degrees == 90.0 { 1.0 } else { sin(half_angle) / cos(half_angle) };
+        let half_width = half_height * width as f64 / height as f64;
+        Some(Self {
+            position,
+            right: right * half_width,
+            top: right.cross(forward) * half_height,
+            forward,
+            width,
+            height,
+        })
+    }
+
+    /// The same view in another picture size. The vertical field of view stays.
+    pub fn resized(self, [width, height]: [usize; 2]) -> Self {
+        let half_height = self.top.length();
+        let right = self.right.normalize() * (half_height * width as f64 / height as f64);
+        Self { right, width, height, ..self }
+    }
+
+    /// Width and height in pixels.
+    pub fn size(&self) -> [usize; 2] {
+        [self.width, self.height]
+    }
+
+    pub fn position(&self) -> DVec3 {
+        self.position
+    }
+
+    /// The ray through a place of the picture in pixels: `(0, 0)` is the top left corner, `(0.5, 0.5)` the middle of
+    /// the first pixel.
+    #[inline]
+    pub fn ray(&self, x: f64, y: f64) -> Ray {
+        let across = 2.0 * x / self.width as f64 - 1.0;
+        let upwards = 1.0 - 2.0 * y / self.height as f64;
+        Ray::new(self.position, (self.forward + self.right * across + self.top * upwards).normalize())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn corners_of_a_90_degree_view_are_corners_of_the_cube() {
+        let camera = Camera::look_at(DVec3::ZERO, DVec3::X, DVec3::Z, 90.0, [8, 8]).unwrap();
+        let corner = |x, y| camera.ray(x, y).direction * 3.0_f64.sqrt();
+        assert!((corner(0.0, 0.0) - DVec3::new(1.0, 1.0, 1.0)).length() < 1e-14, "top left: +y is left of +x in z up");
+        assert!((corner(8.0, 8.0) - DVec3::new(1.0, -1.0, -1.0)).length() < 1e-14);
+    }
+
+    #[test]
+    fn an_undefined_orientation_is_none() {
+        let look = |target, up| Camera::look_at(DVec3::ZERO, target, up, 45.0, [4, 3]);
+        assert!(look(DVec3::ZERO, DVec3::Z).is_none());
+        assert!(look(DVec3::Z, DVec3::Z).is_none());
+        assert!(look(DVec3::X, DVec3::ZERO).is_none());
+    }
+}

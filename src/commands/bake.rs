@@ -1,0 +1,81 @@
+//! `skycube bake`: the surroundings of a point as the six images of a cube map.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::Outcome;
+use super::interrupt;
+use super::options::{PictureOptions, SceneOverrides, read_lookup, refuse_to_overwrite_sources};
+use super::progress_bar::RenderBar;
+use crate::envmap::Face;
+use crate::error::{Error, Result};
+use crate::math::DVec3;
+use crate::picture::{self, OutputFormat};
+use crate::render::bake_face;
+use crate::scene::Plan;
+
+#[derive(Debug, Args)]
+pub struct BakeArguments {
+    /// The scene, a TOML file
+    scene: PathBuf,
+    /// The folder to write posx, negx, posy, negy, posz, negz to; made if it is missing
+    #[arg(short, long, value_name = "FOLDER")]
+    output: PathBuf,
+    /// The lookup that shall read the images: a preset or a TOML file
+    #[arg(long, default_value = "opengl")]
+    lookup: String,
+    /// Side of an image in pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 512, value_parser = clap::value_parser!(u32).range(1..=16384))]
+    face_size: u32,
+    /// The point to look from [default: the camera's position]
+    #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_point)]
+    position: Option<DVec3>,
+    /// File format of the images
+    #[arg(long, value_name = "FORMAT", default_value = "png", value_parser = ["png", "jpg", "hdr", "exr"])]
+    format: String,
+    #[command(flatten)]
+    overrides: SceneOverrides,
+    #[command(flatten)]
+    picture: PictureOptions,
+}
+
+/// Bakes, writes, and says where.
+pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
+    interrupt::watch();
+    let scene = arguments.overrides.read_scene(&arguments.scene)?;
+    let plan = Plan::new(&scene);
+    let lookup = read_lookup(&arguments.lookup)?;
+    let position = arguments.position.unwrap_or(scene.camera.position());
+    let options = arguments.picture.write_options(scene.output.tone_map);
+    std::fs::create_dir_all(&arguments.output)
+        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(&arguments.output))?;
+    let targets = Face::ALL.map(|image| arguments.output.join(format!("{}.{}", image.name(), arguments.format)));
+    for target in &targets {
+        OutputFormat::of_path(target)?;
+        refuse_to_overwrite_sources(target, &scene.sources)?;
+    }
+    let pool = arguments.overrides.thread_pool()?;
+    let size = arguments.face_size as usize;
+    let bar = RenderBar::new(6 * (size * size) as u64, "baking");
+    let mut rasters = Vec::new();
+    for face in Face::ALL {
+        let rendering = pool.install(|| bake_face(&scene, &plan, &lookup, face, size, position, &bar));
+        rasters.push((lookup.row(face).image, rendering?.raster));
+    }
+    bar.finish();
+    // All six are there before the first is written.
+    for (image, raster) in &rasters {
+        picture::write(raster, &targets[image.index()], &options)?;
+        println!("wrote {}", targets[image.index()].display());
+    }
+    Ok(Outcome::Clean)
+}
+
+fn parse_point(text: &str) -> std::result::Result<DVec3, String> {
+    let numbers: Vec<f64> = text.split(',').filter_map(|number| number.trim().parse().ok()).collect();
+    match numbers.as_slice() {
+        [x, y, z] if numbers.iter().all(|number| number.is_finite()) => Ok(DVec3::new(*x, *y, *z)),
+        _ => Err("expected three numbers, such as 0,1.7,0".to_owned()),
+    }
+}

@@ -1,0 +1,20 @@
+//! Ctrl-C: asks the running command to stop; nothing half-written stays behind.
+
+use std::sync::Once;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+static REQUESTED: AtomicBool = AtomicBool::new(false);
+static INSTALL: Once = Once::new();
+
+/// From now on Ctrl-C is noted instead of ending the process.
+pub fn watch() {
+    INSTALL.call_once(|| {
+        // Without a handler Ctrl-C ends the process at once, which breaks no file either: files are renamed into place.
+        let _ = ctrlc::set_handler(|| REQUESTED.store(true, Ordering::Relaxed));
+    });
+}
+
+/// True once Ctrl-C was pressed.
+pub fn requested() -> bool {
+    REQUESTED.load(Ordering::Relaxed)
+}

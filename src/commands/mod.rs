@@ -1,0 +1,59 @@
+//! The commands: arguments in, results on stdout, complaints on stderr, an exit code out.
+
+mod bake;
+mod interrupt;
+mod options;
+mod progress_bar;
+mod render;
+
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+use crate::error::Result;
+
+/// How a command ended, for the shell.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Done, and nothing to complain about.
+    Clean,
+    /// Done, and faults were found.
+    Faults,
+}
+
+/// A small, complete ray tracer for teaching, and a validator that says how to mend a skybox.
+#[derive(Debug, Parser)]
+#[command(name = "skycube", version, about, long_about = None, arg_required_else_help = true)]
+#[command(after_help = "Exit codes: 0 clean, 1 faults found, 2 could not run, 130 interrupted.")]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Render a scene to a picture
+    Render(render::RenderArguments),
+    /// Render the surroundings of a point to the six faces of a cube map
+    Bake(bake::BakeArguments),
+}
+
+/// Runs the command line of this process.
+pub fn run() -> ExitCode {
+    let result = match CommandLine::parse().command {
+        Command::Render(arguments) => render::run(&arguments),
+        Command::Bake(arguments) => bake::run(&arguments),
+    };
+    exit_code(result)
+}
+
+fn exit_code(result: Result<Outcome>) -> ExitCode {
+    match result {
+        Ok(Outcome::Clean) => ExitCode::SUCCESS,
+        Ok(Outcome::Faults) => ExitCode::from(1),
+        Err(error) => {
+            eprintln!("error: {error}");
+            ExitCode::from(if interrupt::requested() { 130 } else { 2 })
+        }
+    }
+}

@@ -1,0 +1,126 @@
+//! Options that several commands share.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::Args;
+
+use crate::colour::ToneMap;
+use crate::envmap::{Lookup, Preset};
+use crate::error::{Error, Result};
+use crate::picture::{PngDepth, WriteOptions};
+use crate::scene::{IntegratorKind, Scene};
+
+/// What the command line may say instead of the scene file.
+#[derive(Debug, Args)]
+pub struct SceneOverrides {
+    /// Picture size in pixels, such as 640x480
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<PictureSize>,
+    /// Samples a pixel
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+    pub samples: Option<u32>,
+    /// How light is followed
+    #[arg(long, value_enum)]
+    pub integrator: Option<IntegratorKind>,
+    /// Reflections and refractions followed at most
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    pub depth: Option<u32>,
+    /// Another map in place of the environment's own: a folder, a zip or a picture
+    #[arg(long, value_name = "MAP")]
+    pub environment: Option<PathBuf>,
+    /// Threads to use; the picture does not depend on it
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
+    pub threads: Option<u32>,
+}
+
+impl SceneOverrides {
+    /// Reads the scene and applies the overrides.
+    pub fn read_scene(&self, file: &Path) -> Result<Scene> {
+        let mut scene = Scene::read_with_environment(file, self.environment.clone())?;
+        if let Some(PictureSize(size)) = self.size {
+            scene.camera = scene.camera.resized(size);
+        }
+        scene.samples = self.samples.unwrap_or(scene.samples);
+        scene.integrator.kind = self.integrator.unwrap_or(scene.integrator.kind);
+        scene.integrator.depth = self.depth.unwrap_or(scene.integrator.depth);
+        Ok(scene)
+    }
+
+    /// The threads to render on.
+    pub fn thread_pool(&self) -> Result<rayon::ThreadPool> {
+        rayon::ThreadPoolBuilder::new()
+            .num_threads(self.threads.unwrap_or(0) as usize)
+            .build()
+            .map_err(|error| Error::new(format!("cannot start threads: {error}")))
+    }
+}
+
+/// How pictures are written.
+#[derive(Debug, Args)]
+pub struct PictureOptions {
+    /// How radiance above 1 is brought into range in PNG and JPEG [default: the scene's, or clamp]
+    #[arg(long, value_enum)]
+    pub tone_map: Option<ToneMap>,
+    /// Bits a channel in PNG
+    #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
+    pub bits: String,
+    /// JPEG quality, 1 to 100
+    #[arg(long, value_name = "N", default_value_t = 92, value_parser = clap::value_parser!(u8).range(1..=100))]
+    pub quality: u8,
+}
+
+impl PictureOptions {
+    /// The options of the writer; `tone_map` is what holds where the command line is silent.
+    pub fn write_options(&self, tone_map: ToneMap) -> WriteOptions {
+        WriteOptions {
+            tone_map: self.tone_map.unwrap_or(tone_map),
+            png_depth: if self.bits == "16" { PngDepth::Sixteen } else { PngDepth::Eight },
+            jpeg_quality: self.quality,
+        }
+    }
+}
+
+/// Width and height in pixels, written `640x480`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PictureSize(pub [usize; 2]);
+
+impl FromStr for PictureSize {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, Self::Err> {
+        let side = |digits: &str| digits.parse().ok().filter(|side| (1..=65_536).contains(side));
+        let sides = text.split_once(['x', 'X']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
+        sides.map(Self).ok_or_else(|| "expected width x height in pixels, such as 640x480".to_owned())
+    }
+}
+
+/// The lookup a name or a file stands for.
+pub fn read_lookup(name: &str) -> Result<Lookup> {
+    if let Some(preset) = Preset::named(name) {
+        return Ok(preset.lookup());
+    }
+    let file = Path::new(name);
+    if file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
+        return crate::scene::read_lookup_file(file);
+    }
+    let names: Vec<&str> = Preset::ALL.into_iter().map(Preset::name).collect();
+    Err(Error::new(format!("there is no lookup \"{name}\""))
+        .expected(format!("one of {}, or a TOML file with a table of your own", names.join(", "))))
+}
+
+/// An error if writing to `target` would overwrite a file that something is read from.
+pub fn refuse_to_overwrite_sources(target: &Path, sources: &[PathBuf]) -> Result<()> {
+    let Ok(target_file) = target.canonicalize() else { return Ok(()) };
+    let is_source = |source: &PathBuf| {
+        source
+            .canonicalize()
+            .is_ok_and(|source| source == target_file || (source.is_dir() && target_file.starts_with(&source)))
+    };
+    if sources.iter().any(is_source) {
+        return Err(Error::new("this file is read by the same command: it is not overwritten")
+            .in_file(target)
+            .help("choose another file with -o"));
+    }
+    Ok(())
+}

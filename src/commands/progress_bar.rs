@@ -1,0 +1,47 @@
+//! The progress bar: on stderr, and only on a terminal.
+
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+
+use super::interrupt;
+use crate::render::Progress;
+
+/// Shows pixels done, rays a second and the time left.
+pub struct RenderBar {
+    bar: ProgressBar,
+    rays: AtomicU64,
+    started: Instant,
+}
+
+impl RenderBar {
+    /// A bar for a count of pixels. `indicatif` hides it where stderr is not a terminal.
+    pub fn new(pixels: u64, what: &str) -> Self {
+        let bar = ProgressBar::with_draw_target(Some(pixels), ProgressDrawTarget::stderr());
+        let style = ProgressStyle::with_template("{prefix} [{bar:30}] {percent}%  {msg}  {eta} left")
+            .expect("the template is valid")
+            .progress_chars("=> ");
+        bar.set_style(style);
+        bar.set_prefix(what.to_owned());
+        Self { bar, rays: AtomicU64::new(0), started: Instant::now() }
+    }
+
+    /// Removes the bar from the terminal.
+    pub fn finish(&self) {
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Progress for RenderBar {
+    fn advance(&self, pixels: u64, rays: u64) {
+        let rays = self.rays.fetch_add(rays, Ordering::Relaxed) + rays;
+        let seconds = self.started.elapsed().as_secs_f64().max(1e-9);
+        self.bar.set_message(format!("{:.1} million rays/s", rays as f64 / seconds / 1e6));
+        self.bar.inc(pixels);
+    }
+
+    fn cancelled(&self) -> bool {
+        interrupt::requested()
+    }
+}

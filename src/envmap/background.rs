@@ -1,0 +1,106 @@
+//! Backgrounds that need no cube: gradient and equirectangular picture.
+
+use super::axis::SignedAxis;
+use super::lazy_image::LazyImage;
+use crate::math::functions::{arccos, arctan2};
+use crate::math::{DVec3, Vec3};
+use crate::picture::Footprint;
+
+/// Three colours blended by the height of the direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Gradient {
+    pub up: SignedAxis,
+    pub zenith: Vec3,
+    pub horizon: Vec3,
+    pub nadir: Vec3,
+}
+
+impl Gradient {
+    /// The colour in a unit direction, linear in the sine of the elevation.
+    pub fn sample(&self, direction: DVec3) -> Vec3 {
+        let height = direction.dot(self.up.direction().as_dvec3()) as f32;
+        let end = if height >= 0.0 { self.zenith } else { self.nadir };
+        self.horizon.lerp(end, height.abs().min(1.0))
+    }
+}
+
+/// A latitude-longitude picture: columns are longitudes, rows are latitudes from the zenith down.
+///
+/// ```text
+///   y-up world     u = 0 (left border): -z      z-up world     u = 0: +y
+///                  u = 1/4:             +x                     u = 1/4: +x
+///                  u = 1/2 (middle):    +z                     u = 1/2: -y
+///                  u = 3/4:             -x                     u = 3/4: -x
+/// ```
+///
+/// Growing u goes to the right as seen from inside: the picture is not mirrored. In a y-up world this is the
+/// convention of OpenEXR's `envmap = latlong`.
+#[derive(Debug)]
+pub struct Equirectangular {
+    pub image: LazyImage,
+    pub up: SignedAxis,
+    /// Turns the picture about the up axis, counterclockwise seen from above, in turns (1 = 360 degrees).
+    pub turns: f32,
+}
+
+impl Equirectangular {
+    /// The colour in a unit direction; black if the picture cannot be decoded.
+    pub fn sample(&self, direction: DVec3) -> Vec3 {
+        let (u, v) = self.coordinates(direction);
+        self.image.picture().map_or(Vec3::ZERO, |picture| {
+            let (width, height) = (picture.width(), picture.height());
+            picture.interpolate(&Footprint::around(u * width as f32, v * height as f32, width, height))
+        })
+    }
+
+    /// Place in the picture in `[0, 1]` from the left and from the top.
+    pub fn coordinates(&self, direction: DVec3) -> (f32, f32) {
+        let [x, y, z] = self.y_up(direction).to_array();
+        // Longitude counted from -z towards +x.
+        let longitude = arctan2(x, -z) / std::f64::consts::TAU + f64::from(self.turns);
+        let latitude = arccos(y) / std::f64::consts::PI;
+        ((longitude - longitude.floor()) as f32, latitude as f32)
+    }
+
+    /// The direction in a frame whose up is +y: for up = +z, forward +y becomes forward -z.
+    fn y_up(&self, direction: DVec3) -> DVec3 {
+        let [x, y, z] = direction.to_array();
+        let turned = match self.up.axis {
+            0 => DVec3::new(-y, x, z),
+            1 => direction,
+            _ => DVec3::new(x, z, -y),
+        };
+        // A negative up axis: half a turn about z of the y-up frame.
+        if self.up.negative { DVec3::new(-turned.x, -turned.y, turned.z) } else { turned }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+
+    fn map(up: SignedAxis) -> Equirectangular {
+        let image = LazyImage::new(Box::new(|| Err(Error::new("not needed"))));
+        Equirectangular { image, up, turns: 0.0 }
+    }
+
+    #[test]
+    fn longitudes_lie_where_the_drawing_says() {
+        let y_up = map(SignedAxis::POS_Y);
+        let u = |map: &Equirectangular, d: DVec3| map.coordinates(d).0;
+        assert_eq!([DVec3::NEG_Z, DVec3::X, DVec3::Z, DVec3::NEG_X].map(|d| u(&y_up, d)), [0.0, 0.25, 0.5, 0.75]);
+        let z_up = map(SignedAxis::POS_Z);
+        assert_eq!([DVec3::Y, DVec3::X, DVec3::NEG_Y, DVec3::NEG_X].map(|d| u(&z_up, d)), [0.0, 0.25, 0.5, 0.75]);
+    }
+
+    #[test]
+    fn the_up_axis_is_the_first_row() {
+        for name in ["+x", "-x", "+y", "-y", "+z", "-z"] {
+            let up: SignedAxis = name.parse().unwrap();
+            let map = map(up);
+            assert_eq!(map.coordinates(up.direction().as_dvec3()).1, 0.0, "{name}");
+            assert_eq!(map.coordinates(-up.direction().as_dvec3()).1, 1.0, "{name}");
+        }
+    }
+}

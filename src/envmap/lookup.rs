@@ -1,0 +1,178 @@
+//! The lookup: the table that turns a direction into a place in one of six pictures, and back.
+//!
+//! For a face with the signed axes `a` (of u) and `b` (of v), seen along the face's own axis:
+//!
+//! ```text
+//!     v = 1  +---------+        m = |d| along the face's axis, the largest component
+//!            |         |        u = (a.d / m + 1) / 2
+//!       b ^  |    o    |        v = (b.d / m + 1) / 2
+//!         |  |         |        direction = axis + (2u - 1) a + (2v - 1) b
+//!     v = 0  +---------+
+//!          u = 0  a-> u = 1
+//! ```
+
+use super::axis::SignedAxis;
+use super::face::Face;
+use crate::math::{DVec3, Vec3};
+use crate::picture::Picture;
+
+/// A lookup table: DESIGN's "per face the image it reads, the signed axis of u, the signed axis of v; and once for
+/// the table where v = 0 lies". The tracer, the baker and every check go through it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Lookup {
+    faces: [FaceLookup; 6],
+    v_origin: VOrigin,
+}
+
+/// One row of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FaceLookup {
+    /// The image the face reads, by the name of the image.
+    pub image: Face,
+    /// The axis along which u grows.
+    pub u: SignedAxis,
+    /// The axis along which v grows.
+    pub v: SignedAxis,
+}
+
+/// The row of the image at v = 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum VOrigin {
+    Top,
+    Bottom,
+}
+
+/// A place on the cube: a face and its coordinates u and v, both in `[0, 1]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FacePoint {
+    pub face: Face,
+    pub u: f32,
+    pub v: f32,
+}
+
+/// A place in a picture: which image, and how far from its left and top border, both in `[0, 1]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ImagePoint {
+    pub image: Face,
+    pub right: f32,
+    pub down: f32,
+}
+
+impl ImagePoint {
+    /// The place in texels from the top left corner; texel centres are at half integers.
+    #[inline]
+    pub fn texels(&self, picture: &Picture) -> (f32, f32) {
+        (self.right * picture.width() as f32, self.down * picture.height() as f32)
+    }
+
+    /// The picture's colour here, bilinear between texel centres, clamped at the border.
+    #[inline]
+    pub fn bilinear(&self, picture: &Picture) -> Vec3 {
+        let (x, y) = self.texels(picture);
+        picture.bilinear(x, y)
+    }
+
+    /// The colour of the texel this place falls into.
+    #[inline]
+    pub fn nearest(&self, picture: &Picture) -> Vec3 {
+        let (x, y) = self.texels(picture);
+        picture.nearest(x, y)
+    }
+}
+
+impl Lookup {
+    /// A table from its rows. An error says which face's axes do not span that face.
+    pub fn new(faces: [FaceLookup; 6], v_origin: VOrigin) -> Result<Self, String> {
+        for (face, row) in Face::ALL.into_iter().zip(&faces) {
+            let axes = [face.axis(), usize::from(row.u.axis), usize::from(row.v.axis)];
+            if axes[0] == axes[1] || axes[0] == axes[2] || axes[1] == axes[2] {
+                return Err(format!(
+                    "{}: u = {} and v = {} do not span the face: they must be the two other axes, once each",
+                    face.name(),
+                    row.u,
+                    row.v
+                ));
+            }
+        }
+        Ok(Self { faces, v_origin })
+    }
+
+    /// The row of a face.
+    #[inline]
+    pub fn row(&self, face: Face) -> FaceLookup {
+        self.faces[face.index()]
+    }
+
+    /// All rows in the order of [`Face::ALL`].
+    pub fn rows(&self) -> &[FaceLookup; 6] {
+        &self.faces
+    }
+
+    pub fn v_origin(&self) -> VOrigin {
+        self.v_origin
+    }
+
+    /// Where the direction meets the cube. Its length does not matter; on a tie x wins over y, y over z.
+    ///
+    /// Defined for every input: u and v are in `[0, 1]`, and 0 where a component is not a number or the quotient of
+    /// two infinities or zeros.
+    #[inline]
+    pub fn locate(&self, direction: Vec3) -> FacePoint {
+        let components = direction.to_array();
+        let [x, y, z] = components.map(f32::abs);
+        // The largest component picks the axis; written without branches on the data.
+        let x_wins = x >= y && x >= z;
+        let axis = if x_wins { 0 } else { 2 - usize::from(y >= z) };
+        let face = Face::on_axis(axis, components[axis] >= 0.0);
+        let largest = components[axis].abs();
+        let row = self.faces[face.index()];
+        // `max` before `min` turns NaN into 0, which `clamp` would not.
+        #[expect(clippy::manual_clamp)]
+        let coordinate = |axis: SignedAxis| ((axis.component(components) / largest + 1.0) * 0.5).max(0.0).min(1.0);
+        FacePoint { face, u: coordinate(row.u), v: coordinate(row.v) }
+    }
+
+    /// The direction through a place on the cube: the inverse of [`Lookup::locate`], from the same table.
+    /// Not of unit length: its largest component is 1.
+    #[inline]
+    pub fn direction(&self, point: FacePoint) -> Vec3 {
+        let row = self.faces[point.face.index()];
+        point.face.normal() + row.u.direction() * (2.0 * point.u - 1.0) + row.v.direction() * (2.0 * point.v - 1.0)
+    }
+
+    /// Where in which picture the colour of a place on the cube stands.
+    #[inline]
+    pub fn image_point(&self, point: FacePoint) -> ImagePoint {
+        let down = match self.v_origin {
+            VOrigin::Top => point.v,
+            VOrigin::Bottom => 1.0 - point.v,
+        };
+        ImagePoint { image: self.faces[point.face.index()].image, right: point.u, down }
+    }
+
+    /// The direction through a place of the image that a face reads, `right` and `down` in `[0, 1]` from its top left
+    /// corner; not of unit length.
+    pub fn image_direction(&self, face: Face, right: f64, down: f64) -> DVec3 {
+        let row = self.faces[face.index()];
+        let v = match self.v_origin {
+            VOrigin::Top => down,
+            VOrigin::Bottom => 1.0 - down,
+        };
+        let axis = |axis: SignedAxis| axis.direction().as_dvec3();
+        face.normal().as_dvec3() + axis(row.u) * (2.0 * right - 1.0) + axis(row.v) * (2.0 * v - 1.0)
+    }
+
+    /// True if the face shows its picture mirrored to an observer inside the cube of a right-handed world.
+    ///
+    /// With r the direction of growing u and t the direction from the bottom to the top of the image, r x t points
+    /// back at the viewer when a photograph taken looking outwards is seen right (DESIGN, "Handedness").
+    pub fn mirrors(&self, face: Face) -> bool {
+        let row = self.faces[face.index()];
+        let towards_top = match self.v_origin {
+            VOrigin::Top => -row.v,
+            VOrigin::Bottom => row.v,
+        };
+        row.u.direction().cross(towards_top.direction()).dot(face.normal()) > 0.0
+    }
+}

@@ -1,0 +1,101 @@
+//! Light that arrives straight from the light sources.
+
+use std::f32::consts::PI;
+
+use super::RayCounts;
+use super::normals;
+use crate::lights::Light;
+use crate::materials::Material;
+use crate::materials::fresnel::reflect;
+use crate::math::{DVec3, Departure, Ray, Side, Vec3};
+use crate::scene::{Plan, Scene};
+use crate::shapes::Surface;
+
+/// A surface as the ray sees it: the normals turned to the ray's side.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct View {
+    /// Side of the true surface that the ray comes from.
+    pub side: Side,
+    /// True normal on the ray's side.
+    pub normal: DVec3,
+    /// Shading normal on the ray's side.
+    pub shading_normal: DVec3,
+}
+
+impl View {
+    /// The surface seen along a direction.
+    #[inline]
+    pub fn new(surface: &Surface, direction: DVec3) -> Self {
+        let side = Side::of(-direction, surface.normal);
+        let turned = |normal: DVec3| if side == Side::Front { normal } else { -normal };
+        let normal = turned(surface.normal);
+        let shading_normal = turned(surface.shading_normal);
+        // An interpolated normal may look away from the ray at a silhouette: there the true one serves.
+        let visible = shading_normal.dot(direction) < 0.0;
+        Self { side, normal, shading_normal: if visible { shading_normal } else { normal } }
+    }
+}
+
+/// The colour a surface shows by itself: debugging colours, or reflected light of all sources.
+#[inline]
+pub(super) fn local_radiance(
+    scene: &Scene,
+    plan: &Plan,
+    ray: &Ray,
+    surface: &Surface,
+    view: &View,
+    counts: &mut RayCounts,
+) -> Vec3 {
+    let material = &scene.materials[surface.material as usize];
+    let (diffuse, highlight) = match material {
+        Material::Normals => return normals::colour(surface.shading_normal),
+        Material::TextureCoordinates => {
+            let place = surface.texture_coordinates;
+            let fraction = (place - place.floor()).as_vec2();
+            return Vec3::new(fraction.x, fraction.y, 0.0);
+        }
+        Material::Mirror { .. } | Material::Glass { .. } => return Vec3::ZERO,
+        Material::Lambert { colour } => (colour.at(surface.texture_coordinates), None),
+        Material::Phong { diffuse, specular, exponent } => {
+            (diffuse.at(surface.texture_coordinates), Some((*specular, *exponent)))
+        }
+    };
+    if !plan.direct_light {
+        return Vec3::ZERO;
+    }
+    let mirrored = reflect(ray.direction, view.shading_normal);
+    let mut radiance = Vec3::ZERO;
+    for light in &scene.lights {
+        if let Light::Ambient { radiance: ambient } = light {
+            radiance += diffuse * *ambient;
+            continue;
+        }
+        let Some(arriving) = light.illumination(surface.position) else { continue };
+        let cosine = view.shading_normal.dot(arriving.to_light);
+        // Light must reach the true surface from the side that is looked at.
+        if cosine <= 0.0 || view.normal.dot(arriving.to_light) <= 0.0 {
+            continue;
+        }
+        let departure = Departure { surface: surface.id, side: view.side };
+        let to_light = Ray { origin: surface.position, direction: arriving.to_light, departure: Some(departure) };
+        counts.shadow += 1;
+        if scene.shapes.occluded(&to_light, arriving.distance) {
+            continue;
+        }
+        let mut reflectance = diffuse / PI;
+        if let Some((specular, exponent)) = highlight {
+            reflectance += specular * phong_lobe(mirrored.dot(arriving.to_light) as f32, exponent);
+        }
+        radiance += reflectance * arriving.irradiance * cosine as f32;
+    }
+    radiance
+}
+
+/// The Phong lobe, normalised so that it never reflects more than arrives: `(n + 2) / (2 pi) cos^n`
+/// (Lafortune and Willems, Using the Modified Phong Reflectance Model, 1994).
+fn phong_lobe(cosine: f32, exponent: f32) -> f32 {
+    if cosine <= 0.0 {
+        return 0.0;
+    }
+    (exponent + 2.0) / (2.0 * PI) * crate::math::functions::power(cosine, exponent)
+}

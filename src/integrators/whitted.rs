@@ -1,0 +1,196 @@
+//! Whitted's ray tracing: local light, and both branches at mirrors and glass
+//! (Whitted, An Improved Illumination Model for Shaded Display, 1980).
+//!
+//! ```text
+//!            \   |   / reflected, weight R         The branches are weighted by Fresnel's R and 1 - R.
+//!     camera  \  |  /                              A branch whose share of the pixel falls below the cut-off
+//!              \ | /                               is followed with probability share / cut-off and then
+//!     ----------\|/----------                      stands for those that were not: noise, but no bias.
+//!                 \ refracted, weight 1 - R
+//! ```
+
+use super::RayCounts;
+use super::direct::{View, local_radiance};
+use crate::materials::fresnel::{boundary, reflect, refract};
+use crate::materials::{Material, Medium, MediumStack};
+use crate::math::functions::exponential;
+use crate::math::{DVec3, Departure, Ray, Side, Vec3};
+use crate::sampling::PixelSampler;
+use crate::scene::{Plan, Scene};
+use crate::shapes::Surface;
+
+/// Radiance along a camera ray.
+pub(super) fn radiance(
+    scene: &Scene,
+    plan: &Plan,
+    ray: &Ray,
+    sampler: &mut PixelSampler,
+    counts: &mut RayCounts,
+) -> Vec3 {
+    let mut tracer = Tracer { scene, plan, sampler, counts };
+    tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media: MediumStack::default() })
+}
+
+/// A ray on its way, with what it carries.
+struct Path {
+    ray: Ray,
+    /// Reflections and refractions so far.
+    depth: u32,
+    /// Share of the pixel that this ray's radiance counts for, by channel.
+    weight: Vec3,
+    /// The glasses the ray is inside of.
+    media: MediumStack,
+}
+
+/// One branch at a specular surface.
+struct Branch {
+    /// True for refraction: the ray passes the surface.
+    passes: bool,
+    direction: DVec3,
+    side: Side,
+    /// Factor on the radiance that comes back.
+    factor: Vec3,
+    media: MediumStack,
+}
+
+struct Tracer<'a> {
+    scene: &'a Scene,
+    plan: &'a Plan,
+    sampler: &'a mut PixelSampler,
+    counts: &'a mut RayCounts,
+}
+
+impl Tracer<'_> {
+    fn radiance(&mut self, path: &Path) -> Vec3 {
+        let scene = self.scene;
+        let Some(hit) = scene.shapes.intersect(&path.ray) else {
+            self.counts.environment += 1;
+            // An unbounded way through absorbing glass lets nothing through.
+            return self.transmittance(path, f64::INFINITY) * scene.environment.radiance(path.ray.direction);
+        };
+        let surface = scene.shapes.surface(&path.ray, &hit);
+        let view = View::new(&surface, path.ray.direction);
+        let transmittance = self.transmittance(path, hit.t);
+        let radiance = match &scene.materials[surface.material as usize] {
+            Material::Mirror { colour } => {
+                self.reflected(path, &surface, &view, colour.at(surface.texture_coordinates), transmittance)
+            }
+            Material::Glass { index, .. } => self.refracted(path, &surface, &view, *index, transmittance),
+            _ => local_radiance(scene, self.plan, &path.ray, &surface, &view, self.counts),
+        };
+        transmittance * radiance
+    }
+
+    /// What a mirror shows.
+    fn reflected(&mut self, path: &Path, surface: &Surface, view: &View, factor: Vec3, transmittance: Vec3) -> Vec3 {
+        let direction = mirror_direction(path.ray.direction, view);
+        self.follow(
+            path,
+            surface,
+            transmittance,
+            Branch { passes: false, direction, side: view.side, factor, media: path.media },
+        )
+    }
+
+    /// What a glass shows: reflection and refraction.
+    fn refracted(&mut self, path: &Path, surface: &Surface, view: &View, index: f64, transmittance: Vec3) -> Vec3 {
+        let medium = Medium { shape: surface.id.shape, material: surface.material };
+        let beyond = match view.side {
+            Side::Front => path.media.entering(medium),
+            Side::Back => path.media.leaving(medium.shape),
+        };
+        // Inside a glass that was never entered (the camera stands in it) the index is that of the glass itself.
+        let from = match (view.side, path.media.innermost()) {
+            (Side::Back, None) => index,
+            (_, innermost) => self.index_inside(innermost),
+        };
+        let relative_index = from / self.index_inside(beyond.innermost());
+        let direction = path.ray.direction;
+        let cos_incident = -direction.dot(view.shading_normal);
+        let boundary = boundary(cos_incident, relative_index);
+        let reflectance = Vec3::splat(boundary.reflectance as f32);
+        let mut radiance = Vec3::ZERO;
+        if boundary.reflectance > 0.0 {
+            radiance += self.reflected(path, surface, view, reflectance, transmittance);
+        }
+        if let Some(cos_transmitted) = boundary.cos_transmitted {
+            let refracted = refract(direction, view.shading_normal, relative_index, cos_transmitted);
+            let branch = Branch {
+                passes: true,
+                direction: on_side(refracted, -view.normal),
+                side: view.side.opposite(),
+                factor: Vec3::ONE - reflectance,
+                media: beyond,
+            };
+            radiance += self.follow(path, surface, transmittance, branch);
+        }
+        radiance
+    }
+
+    /// Follows a branch, unless depth or weight end it.
+    fn follow(&mut self, path: &Path, surface: &Surface, transmittance: Vec3, branch: Branch) -> Vec3 {
+        if path.depth >= self.scene.integrator.depth {
+            self.counts.cut_by_depth += 1;
+            return Vec3::ZERO;
+        }
+        let weight = path.weight * transmittance * branch.factor;
+        let Some(survival) = self.survival(weight.max_element()) else {
+            self.counts.cut_by_weight += 1;
+            return Vec3::ZERO;
+        };
+        let count = if branch.passes { &mut self.counts.refracted } else { &mut self.counts.reflected };
+        *count += 1;
+        let departure = Departure { surface: surface.id, side: branch.side };
+        let ray = Ray { origin: surface.position, direction: branch.direction, departure: Some(departure) };
+        let next = Path { ray, depth: path.depth + 1, weight: weight / survival, media: branch.media };
+        branch.factor / survival * self.radiance(&next)
+    }
+
+    /// Probability with which a branch of this weight is followed, if the dice let it live.
+    fn survival(&mut self, weight: f32) -> Option<f32> {
+        let cutoff = self.scene.integrator.weight_cutoff;
+        if !self.plan.roulette || weight >= cutoff {
+            return Some(1.0);
+        }
+        let probability = weight / cutoff;
+        (self.sampler.uniform() < probability).then_some(probability)
+    }
+
+    /// Index of refraction inside a glass, 1 in free space.
+    fn index_inside(&self, medium: Option<Medium>) -> f64 {
+        self.glass_of(medium).map_or(1.0, |(index, _)| index)
+    }
+
+    /// Share of the light that is left after a way through the innermost glass.
+    fn transmittance(&self, path: &Path, distance: f64) -> Vec3 {
+        if !self.plan.absorption {
+            return Vec3::ONE;
+        }
+        let Some((_, absorption)) = self.glass_of(path.media.innermost()) else { return Vec3::ONE };
+        absorption.to_array().map(|coefficient| beer_lambert(coefficient, distance)).into()
+    }
+
+    /// Index and absorption of a glass.
+    fn glass_of(&self, medium: Option<Medium>) -> Option<(f64, Vec3)> {
+        match &self.scene.materials[medium?.material as usize] {
+            Material::Glass { index, absorption } => Some((*index, *absorption)),
+            _ => None,
+        }
+    }
+}
+
+/// `e^(-coefficient * distance)`; no absorption is none over any distance.
+fn beer_lambert(coefficient: f32, distance: f64) -> f32 {
+    if coefficient == 0.0 { 1.0 } else { exponential((-f64::from(coefficient) * distance) as f32) }
+}
+
+/// The mirrored direction, kept on the ray's side of the true surface.
+fn mirror_direction(direction: DVec3, view: &View) -> DVec3 {
+    on_side(reflect(direction, view.shading_normal), view.normal)
+}
+
+/// A direction that an interpolated normal sent below the true surface is laid into it.
+fn on_side(direction: DVec3, normal: DVec3) -> DVec3 {
+    let height = direction.dot(normal);
+    if height >= 0.0 { direction } else { (direction - normal * height).normalize() }
+}

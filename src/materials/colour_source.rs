@@ -1,0 +1,60 @@
+//! Where a material's colour comes from.
+
+use std::sync::Arc;
+
+use crate::math::{DVec2, Vec3};
+use crate::picture::Texture;
+
+/// A colour over a surface: one for all, two in a checker, or a picture.
+#[derive(Debug, Clone)]
+pub enum ColourSource {
+    Uniform(Vec3),
+    Checker(Checker),
+    Image(ImageTexture),
+}
+
+/// Two colours in squares.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Checker {
+    pub even: Vec3,
+    pub odd: Vec3,
+    /// Squares a unit of each texture coordinate.
+    pub repeat: DVec2,
+}
+
+/// A picture over texture coordinates.
+#[derive(Debug, Clone)]
+pub struct ImageTexture {
+    pub texture: Arc<Texture>,
+    /// Pictures a unit of each texture coordinate.
+    pub repeat: DVec2,
+}
+
+impl ColourSource {
+    /// Linear colour at texture coordinates whose v grows upwards.
+    #[inline]
+    pub fn at(&self, texture_coordinates: DVec2) -> Vec3 {
+        match self {
+            ColourSource::Uniform(colour) => *colour,
+            ColourSource::Checker(checker) => checker.at(texture_coordinates),
+            ColourSource::Image(image) => image.at(texture_coordinates),
+        }
+    }
+}
+
+impl Checker {
+    fn at(&self, texture_coordinates: DVec2) -> Vec3 {
+        let square = (texture_coordinates * self.repeat).floor();
+        // The sum of two whole numbers is even where both squares are of one kind; exact up to 2^53.
+        if (square.x + square.y).rem_euclid(2.0) == 0.0 { self.even } else { self.odd }
+    }
+}
+
+impl ImageTexture {
+    fn at(&self, texture_coordinates: DVec2) -> Vec3 {
+        let place = texture_coordinates * self.repeat;
+        // Whole repeats are taken off in f64, where far places still have their fraction.
+        let fraction = place - place.floor();
+        self.texture.sample(fraction.x as f32, (1.0 - fraction.y) as f32)
+    }
+}

@@ -1,0 +1,110 @@
+//! Reflection and refraction at the smooth boundary of two dielectrics.
+//!
+//! ```text
+//!        d \   n   / reflected        n: unit normal towards the side the ray comes from
+//!           \  ^  /                   cos_i = -d.n, cos_t = cosine of the refracted ray against -n
+//!      n_1   \ | /
+//!     --------\|/--------             Snell: n_1 sin_i = n_2 sin_t
+//!      n_2      \ refracted
+//! ```
+
+use crate::math::DVec3;
+
+/// The direction of ideal reflection of `direction` at a surface with the given unit normal (either side).
+#[inline]
+pub fn reflect(direction: DVec3, normal: DVec3) -> DVec3 {
+    direction - normal * (2.0 * direction.dot(normal))
+}
+
+/// What happens to unpolarised light at the boundary.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Boundary {
+    /// Share of the power that is reflected, in `[0, 1]`; 1 under total reflection.
+    pub reflectance: f64,
+    /// Cosine of the refracted ray with the inverted normal; `None` under total reflection.
+    pub cos_transmitted: Option<f64>,
+}
+
+/// Fresnel's equations for unpolarised light, exact.
+///
+/// `cos_incident` in `[0, 1]`, `relative_index` is n_1 / n_2: the side the light comes from over the other.
+/// (Born and Wolf, Principles of Optics, section 1.5.2; Pharr, Jakob, Humphreys: Physically Based Rendering, 4th ed., 9.3.5.)
+#[inline]
+pub fn boundary(cos_incident: f64, relative_index: f64) -> Boundary {
+    let cos_incident = cos_incident.clamp(0.0, 1.0);
+    // 1 - sin_t^2, arranged so that it does not cancel for indices near 1: with r = n_1/n_2,
+    // cos_t^2 = cos_i^2 r^2 + (1 - r)(1 + r).
+    let r = relative_index;
+    if r == 1.0 {
+        return Boundary { reflectance: 0.0, cos_transmitted: Some(cos_incident) };
+    }
+    let cos_squared = cos_incident * cos_incident * r * r + (1.0 - r) * (1.0 + r);
+    if cos_squared <= 0.0 {
+        return Boundary { reflectance: 1.0, cos_transmitted: None };
+    }
+    let cos_transmitted = cos_squared.sqrt();
+    let ratio = |one: f64, other: f64| {
+        let amplitude = (one - other) / (one + other);
+        amplitude * amplitude
+    };
+    let perpendicular = ratio(r * cos_incident, cos_transmitted);
+    let parallel = ratio(r * cos_transmitted, cos_incident);
+    let reflectance = 0.5 * (perpendicular + parallel);
+    Boundary { reflectance, cos_transmitted: Some(cos_transmitted) }
+}
+
+/// The refracted direction by Snell's law, of unit length; `normal` on the side the ray comes from.
+#[inline]
+pub fn refract(direction: DVec3, normal: DVec3, relative_index: f64, cos_transmitted: f64) -> DVec3 {
+    let cos_incident = -direction.dot(normal);
+    (direction * relative_index + normal * (relative_index * cos_incident - cos_transmitted)).normalize()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// Fresnel reflectance by the sine and tangent laws, an independent form of the same equations.
+    fn by_sines_and_tangents(cos_incident: f64, relative_index: f64) -> f64 {
+        let incident = cos_incident.acos();
+        let transmitted = (relative_index * incident.sin()).asin();
+        let (difference, sum) = (incident - transmitted, incident + transmitted);
+        0.5 * ((difference.sin() / sum.sin()).powi(2) + (difference.tan() / sum.tan()).powi(2))
+    }
+
+    proptest! {
+        #[test]
+        fn agrees_with_the_sine_and_tangent_laws(cos_incident in 0.01..0.999_f64, index in 1.01..3.0_f64) {
+            let inside_out = boundary(cos_incident, 1.0 / index);
+            prop_assert!((inside_out.reflectance - by_sines_and_tangents(cos_incident, 1.0 / index)).abs() < 1e-9);
+            let outwards = boundary(cos_incident, index);
+            if outwards.cos_transmitted.is_some() && cos_incident.acos().sin() * index < 0.999 {
+                prop_assert!((outwards.reflectance - by_sines_and_tangents(cos_incident, index)).abs() < 1e-9);
+            }
+        }
+
+        #[test]
+        fn refraction_obeys_snell(cos_incident in 0.0..1.0_f64, index in 1.0..3.0_f64) {
+            let sine = (1.0 - cos_incident * cos_incident).sqrt();
+            let direction = DVec3::new(sine, 0.0, -cos_incident);
+            let cos_transmitted = boundary(cos_incident, 1.0 / index).cos_transmitted.unwrap();
+            let refracted = refract(direction, DVec3::Z, 1.0 / index, cos_transmitted);
+            prop_assert!((refracted.x * index - sine).abs() < 1e-12);
+            prop_assert!((refracted.length() - 1.0).abs() < 1e-14);
+        }
+    }
+
+    #[test]
+    fn closed_form_at_normal_incidence() {
+        assert!((boundary(1.0, 1.0 / 1.5).reflectance - 0.04).abs() < 1e-15);
+        assert_eq!(boundary(0.5, 1.0).reflectance, 0.0);
+    }
+
+    #[test]
+    fn reflection_is_total_beyond_the_critical_angle() {
+        let critical_cosine = (1.0_f64 - 1.0 / (1.5 * 1.5)).sqrt();
+        assert_eq!(boundary(critical_cosine - 1e-9, 1.5).cos_transmitted, None);
+        assert!(boundary(critical_cosine + 1e-9, 1.5).cos_transmitted.is_some());
+    }
+}

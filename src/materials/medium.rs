@@ -1,0 +1,65 @@
+//! The nested glasses a ray is inside of.
+
+/// A glass: the shape that encloses it and the material it is made of, by their numbers in the scene.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Medium {
+    pub shape: u32,
+    pub material: u32,
+}
+
+/// Glasses whose inside the ray is in, innermost last. Holds [`MediumStack::CAPACITY`] entries without allocating;
+/// deeper nesting is not entered: the outermost entries are kept.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct MediumStack {
+    media: [Medium; Self::CAPACITY],
+    depth: u8,
+}
+
+impl MediumStack {
+    /// How many glasses may be nested in one another.
+    pub const CAPACITY: usize = 15;
+
+    /// The innermost glass; `None` in free space.
+    #[inline]
+    pub fn innermost(&self) -> Option<Medium> {
+        self.depth.checked_sub(1).map(|last| self.media[usize::from(last)])
+    }
+
+    /// The stack after entering a glass.
+    #[inline]
+    pub fn entering(mut self, medium: Medium) -> Self {
+        if usize::from(self.depth) < Self::CAPACITY {
+            self.media[usize::from(self.depth)] = medium;
+            self.depth += 1;
+        }
+        self
+    }
+
+    /// The stack after leaving a shape, which need not be the innermost one: overlapping glasses are left in any
+    /// order. A shape that was never entered changes nothing.
+    #[inline]
+    pub fn leaving(mut self, shape: u32) -> Self {
+        let depth = usize::from(self.depth);
+        if let Some(place) = self.media[..depth].iter().rposition(|entered| entered.shape == shape) {
+            self.media.copy_within(place + 1..depth, place);
+            self.depth -= 1;
+        }
+        self
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shapes_are_left_in_any_order() {
+        let glass = |shape| Medium { shape, material: 10 + shape };
+        let stack = MediumStack::default().entering(glass(1)).entering(glass(2)).entering(glass(3));
+        assert_eq!(stack.leaving(2).innermost(), Some(glass(3)));
+        assert_eq!(stack.leaving(3).innermost(), Some(glass(2)));
+        assert_eq!(stack.leaving(7).innermost(), Some(glass(3)));
+        assert_eq!(MediumStack::default().leaving(1).innermost(), None);
+        assert_eq!(stack.leaving(1).leaving(2).leaving(3).innermost(), None);
+    }
+}

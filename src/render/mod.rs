@@ -1,0 +1,7 @@
+//! From a scene to a picture: tiles on all cores, the same bytes whatever their number.
+
+mod film;
+mod progress;
+
+pub use film::{Rendering, bake_face, render};
+pub use progress::{Progress, Silent};

@@ -1,0 +1,5 @@
+//! What the tool says and draws.
+
+mod render_report;
+
+pub use render_report::RenderReport;

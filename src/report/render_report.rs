@@ -1,0 +1,143 @@
+//! What a rendering cost and what it left out.
+
+use std::fmt;
+use std::path::Path;
+use std::time::Duration;
+
+use serde::Serialize;
+
+use crate::envmap::Face;
+use crate::integrators::RayCounts;
+use crate::scene::{Plan, Scene};
+
+/// The report of `skycube render`.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct RenderReport {
+    /// The picture that was written.
+    pub picture: String,
+    pub width: usize,
+    pub height: usize,
+    /// Samples a pixel.
+    pub samples: u32,
+    pub integrator: &'static str,
+    pub seconds: Seconds,
+    pub rays: RayCounts,
+    /// Rays traced a second while rendering.
+    pub rays_per_second: f64,
+    /// Images of the environment that were decoded.
+    pub decoded: Vec<&'static str>,
+    pub left_out: Vec<String>,
+}
+
+/// Where the time went.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct Seconds {
+    pub loading: f64,
+    pub rendering: f64,
+    pub writing: f64,
+    pub total: f64,
+}
+
+impl RenderReport {
+    /// A report from the times at which loading, rendering and writing were finished, counted from the start.
+    pub fn new(scene: &Scene, plan: &Plan, picture: &Path, rays: RayCounts, finished: [Duration; 3]) -> Self {
+        let [loaded, rendered, written] = finished.map(|time| time.as_secs_f64());
+        let seconds =
+            Seconds { loading: loaded, rendering: rendered - loaded, writing: written - rendered, total: written };
+        let [width, height] = scene.camera.size();
+        let (decoded, never_seen) = decoded_images(scene);
+        let mut left_out = plan.left_out(scene);
+        left_out.extend(never_seen);
+        Self {
+            picture: picture.display().to_string(),
+            width,
+            height,
+            samples: scene.samples,
+            integrator: scene.integrator.kind.name(),
+            seconds,
+            rays,
+            rays_per_second: rays.traced() as f64 / seconds.rendering.max(1e-9),
+            decoded,
+            left_out,
+        }
+    }
+
+    /// The report for machines.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(self).expect("a report is plain data")
+    }
+}
+
+impl fmt::Display for RenderReport {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { picture, width, height, samples, integrator, seconds, rays, .. } = self;
+        let unit = if *samples == 1 { "sample" } else { "samples" };
+        writeln!(formatter, "wrote {picture}: {width} x {height} pixels, {samples} {unit} each, {integrator}")?;
+        writeln!(
+            formatter,
+            "time  {:.2} s: loading {:.2}, rendering {:.2}, writing {:.2}",
+            seconds.total, seconds.loading, seconds.rendering, seconds.writing
+        )?;
+        writeln!(
+            formatter,
+            "rays  {} ({:.1} million a second): camera {}, reflected {}, refracted {}, shadow {}",
+            grouped(rays.traced()),
+            self.rays_per_second / 1e6,
+            grouped(rays.camera),
+            grouped(rays.reflected),
+            grouped(rays.refracted),
+            grouped(rays.shadow)
+        )?;
+        writeln!(formatter, "      {} took the environment", grouped(rays.environment))?;
+        if rays.cut_by_depth > 0 {
+            writeln!(
+                formatter,
+                "      {} ended at the depth limit: their light is missing",
+                grouped(rays.cut_by_depth)
+            )?;
+        }
+        if rays.cut_by_weight > 0 {
+            writeln!(formatter, "      {} cut at random, without bias", grouped(rays.cut_by_weight))?;
+        }
+        if !self.decoded.is_empty() {
+            writeln!(formatter, "map   decoded {}", self.decoded.join(", "))?;
+        }
+        writeln!(formatter, "left out")?;
+        for item in &self.left_out {
+            writeln!(formatter, "  - {item}")?;
+        }
+        Ok(())
+    }
+}
+
+/// The images that were decoded, and a sentence about those that were not.
+fn decoded_images(scene: &Scene) -> (Vec<&'static str>, Option<String>) {
+    let Some(map) = scene.environment.cube_map() else { return (Vec::new(), None) };
+    let looked_at = map.looked_at();
+    let unseen: Vec<&str> = Face::ALL.into_iter().filter(|image| !looked_at.contains(image)).map(Face::name).collect();
+    let sentence = (!unseen.is_empty()).then(|| format!("no ray reached {}: not decoded", unseen.join(", ")));
+    (looked_at.into_iter().map(Face::name).collect(), sentence)
+}
+
+/// A number with a thin gap between groups of three digits.
+fn grouped(number: u64) -> String {
+    let digits = number.to_string();
+    let mut text = String::new();
+    for (index, digit) in digits.chars().enumerate() {
+        if index > 0 && (digits.len() - index).is_multiple_of(3) {
+            text.push(' ');
+        }
+        text.push(digit);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn groups_digits_by_three() {
+        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1 000", "1 234 567"]);
+    }
+}

@@ -1,0 +1,109 @@
+//! All shapes of a scene, and the way to find those a ray meets.
+
+use crate::bvh::{FloatBox, Hierarchy, Visit};
+use crate::math::Ray;
+use crate::shapes::{Hit, Primitive, Surface};
+
+/// The shapes of a scene. A handful is tried one after the other; more get a hierarchy of boxes.
+#[derive(Debug)]
+pub struct Aggregate {
+    primitives: Vec<Primitive>,
+    /// Shapes tried one by one: all of a handful, otherwise those without end.
+    listed: Vec<u32>,
+    hierarchy: Option<BoxedShapes>,
+}
+
+/// The shapes that have bounds, under a hierarchy.
+#[derive(Debug)]
+struct BoxedShapes {
+    hierarchy: Hierarchy,
+    /// Shape numbers in the order of the hierarchy's boxes.
+    shapes: Vec<u32>,
+}
+
+impl Aggregate {
+    /// Up to this many bounded shapes are tried one by one: below it the hierarchy costs more than it saves
+    /// (measured by the benchmark `scenes`).
+    pub const HANDFUL: usize = 6;
+
+    /// Builds what the count of shapes asks for.
+    pub fn new(primitives: Vec<Primitive>) -> Self {
+        let numbers = || 0..primitives.len() as u32;
+        let bounds: Vec<_> = primitives.iter().map(Primitive::bounds).collect();
+        let bounded: Vec<u32> = numbers().filter(|&shape| bounds[shape as usize].is_some()).collect();
+        if bounded.len() <= Self::HANDFUL {
+            return Self { listed: numbers().collect(), primitives, hierarchy: None };
+        }
+        let boxes: Vec<FloatBox> = bounded
+            .iter()
+            .filter_map(|&shape| bounds[shape as usize])
+            .map(|bounds| FloatBox::containing(&bounds))
+            .collect();
+        let listed = numbers().filter(|&shape| bounds[shape as usize].is_none()).collect();
+        let hierarchy = Some(BoxedShapes { hierarchy: Hierarchy::build(&boxes), shapes: bounded });
+        Self { primitives, listed, hierarchy }
+    }
+
+    /// All shapes, by their numbers.
+    pub fn primitives(&self) -> &[Primitive] {
+        &self.primitives
+    }
+
+    /// True if a hierarchy was built.
+    pub fn has_hierarchy(&self) -> bool {
+        self.hierarchy.is_some()
+    }
+
+    /// The nearest hit of the ray.
+    #[inline]
+    pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        let mut nearest: Option<Hit> = None;
+        let mut limit = f64::INFINITY;
+        let mut attempt = |shape: u32, limit: &mut f64| {
+            if let Some(hit) = self.primitives[shape as usize].intersect(ray, shape, *limit) {
+                *limit = hit.t;
+                nearest = Some(hit);
+            }
+        };
+        for &shape in &self.listed {
+            attempt(shape, &mut limit);
+        }
+        if let Some(boxed) = &self.hierarchy
+            && let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction)
+        {
+            boxed.hierarchy.traverse(&walk, limit, |leaf| {
+                for &index in boxed.hierarchy.leaf(leaf) {
+                    attempt(boxed.shapes[index as usize], &mut limit);
+                }
+                Visit::Closer(limit)
+            });
+        }
+        nearest
+    }
+
+    /// True if something that casts shadows is met within `limit`.
+    #[inline]
+    pub fn occluded(&self, ray: &Ray, limit: f64) -> bool {
+        let occludes = |shape: u32| {
+            let primitive = &self.primitives[shape as usize];
+            primitive.casts_shadow && primitive.occludes(ray, shape, limit)
+        };
+        if self.listed.iter().any(|&shape| occludes(shape)) {
+            return true;
+        }
+        let Some(boxed) = &self.hierarchy else { return false };
+        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return false };
+        let mut found = false;
+        boxed.hierarchy.traverse(&walk, limit, |leaf| {
+            found = boxed.hierarchy.leaf(leaf).iter().any(|&index| occludes(boxed.shapes[index as usize]));
+            if found { Visit::Stop } else { Visit::Continue }
+        });
+        found
+    }
+
+    /// The surface at a hit.
+    #[inline]
+    pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        self.primitives[hit.id.shape as usize].surface(ray, hit)
+    }
+}

@@ -1,0 +1,95 @@
+//! From the TOML text to the scene.
+
+use std::path::{Path, PathBuf};
+
+use super::aggregate::Aggregate;
+use super::document::{Document, Table};
+use super::material::TextureStore;
+use super::settings::{IntegratorSettings, OutputSettings};
+use super::shape::ShapeReader;
+use super::{camera, environment, light, material};
+use crate::camera::Camera;
+use crate::envmap::Environment;
+use crate::error::Result;
+use crate::lights::Light;
+use crate::materials::Material;
+
+/// Everything a picture is computed from.
+#[derive(Debug)]
+pub struct Scene {
+    pub camera: Camera,
+    /// Samples a pixel.
+    pub samples: u32,
+    pub integrator: IntegratorSettings,
+    pub output: OutputSettings,
+    pub environment: Environment,
+    pub materials: Vec<Material>,
+    pub lights: Vec<Light>,
+    pub shapes: Aggregate,
+    /// Every file the scene was read from: none of them may be written to.
+    pub sources: Vec<PathBuf>,
+}
+
+impl Scene {
+    /// Reads a scene file and what it names; pictures of the environment are only decoded when a ray needs them.
+    pub fn read(file: &Path) -> Result<Self> {
+        Self::read_with_environment(file, None)
+    }
+
+    /// Reads a scene file with another map in place of the environment's own.
+    pub fn read_with_environment(file: &Path, map_override: Option<PathBuf>) -> Result<Self> {
+        Self::from_document(&Document::read(file)?, file, map_override)
+    }
+
+    /// A scene from its text; `file` is what errors call it and what paths in it are relative to.
+    pub fn from_text(text: &str, file: &Path) -> Result<Self> {
+        Self::from_document(&Document::new(file, text), file, None)
+    }
+
+    fn from_document(document: &Document, file: &Path, map_override: Option<PathBuf>) -> Result<Self> {
+        let parsed = document.parse()?;
+        let mut root = document.root(&parsed);
+        let (camera, samples) = camera::read(root.required("camera")?.table()?)?;
+        let integrator = IntegratorSettings::read(optional_table(&mut root, "integrator")?)?;
+        let output = OutputSettings::read(optional_table(&mut root, "output")?)?;
+        if map_override.is_some() && !root.has("environment") {
+            return Err(root
+                .error("there is no environment whose map could be replaced")
+                .expected("an [environment] table of kind \"cube-map\" or \"equirectangular\""));
+        }
+        let surroundings = environment::read(optional_table(&mut root, "environment")?, map_override)?;
+
+        let mut textures = TextureStore::default();
+        let mut shapes = ShapeReader::new(&mut textures);
+        if let Some(table) = root.optional("materials") {
+            for (name, value) in table.table()?.take_all() {
+                let material = material::read(value.table()?, shapes.textures)?;
+                shapes.add_material(name, material);
+            }
+        }
+        let mut primitives = Vec::new();
+        for table in tables(&mut root, "shapes")? {
+            primitives.push(shapes.read(table)?);
+        }
+        let materials = std::mem::take(&mut shapes.materials);
+        let mut sources = vec![file.to_path_buf()];
+        sources.extend(shapes.meshes.keys().cloned());
+        sources.extend(textures.files().cloned());
+        sources.extend(surroundings.files);
+
+        let lights = tables(&mut root, "lights")?.into_iter().map(light::read).collect::<Result<_>>()?;
+        root.finish()?;
+        let shapes = Aggregate::new(primitives);
+        let environment = surroundings.environment;
+        Ok(Self { camera, samples, integrator, output, environment, materials, lights, shapes, sources })
+    }
+}
+
+fn optional_table<'a>(root: &mut Table<'a>, key: &'static str) -> Result<Option<Table<'a>>> {
+    root.optional(key).map(|value| value.table()).transpose()
+}
+
+fn tables<'a>(root: &mut Table<'a>, key: &'static str) -> Result<Vec<Table<'a>>> {
+    let Some(value) = root.optional(key) else { return Ok(Vec::new()) };
+    value.list()?.iter().map(|entry| entry.table()).collect()
+}

@@ -1,0 +1,18 @@
+//! A scene: everything a picture is computed from, read from TOML.
+
+mod aggregate;
+mod camera;
+mod document;
+mod environment;
+mod light;
+mod load;
+mod material;
+mod plan;
+mod settings;
+mod shape;
+
+pub use aggregate::Aggregate;
+pub use environment::read_lookup_file;
+pub use load::Scene;
+pub use plan::Plan;
+pub use settings::{IntegratorKind, IntegratorSettings, OutputSettings};

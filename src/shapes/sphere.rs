@@ -1,0 +1,90 @@
+//! The unit sphere around the origin.
+//!
+//! ```text
+//!        o----->(----------)------>      roots of |o + t d|^2 = 1 along the unit direction d,
+//!              t0          t1            with b = o.d:  t = -b -+ sqrt(1 - |o - b d|^2)
+//! ```
+
+use crate::math::functions::{arccos, arctan2};
+use crate::math::{DVec2, DVec3, Side};
+
+/// Distance to the nearest hit in `(0, limit)`, in units of the direction's length.
+///
+/// A ray that leaves this sphere has one root at its origin. Outwards it never comes back; inwards the other root is
+/// -2 o.d / d.d in closed form, so neither is a matter of tolerance.
+#[inline]
+pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Option<Side>) -> Option<f64> {
+    let squared_length = direction.length_squared();
+    let half_b = origin.dot(direction);
+    let distance = match leaving {
+        Some(Side::Front) => return None,
+        // Rounding at grazing directions may make the chord negative: then it has no length.
+        Some(Side::Back) => (-2.0 * half_b / squared_length).max(0.0),
+        None => {
+            // The discriminant from the distance between centre and ray does not cancel for far origins
+            // (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
+            let closest = origin - direction * (half_b / squared_length);
+            let discriminant = squared_length * (1.0 - closest.length_squared());
+            if discriminant < 0.0 {
+                return None;
+            }
+            // The root without cancellation first, the other from the product of the roots.
+            let q = -half_b - discriminant.sqrt().copysign(half_b);
+            let c = origin.length_squared() - 1.0;
+            let (first, second) = (c / q, q / squared_length);
+            let (near, far) = if first < second { (first, second) } else { (second, first) };
+            if near > 0.0 { near } else { far }
+        }
+    };
+    // A chord of no length is still a hit: the ray stays inside until it passes the surface.
+    let starts_inside = leaving == Some(Side::Back);
+    ((distance > 0.0 || starts_inside) && distance < limit).then_some(distance)
+}
+
+/// The outward normal at a point on the sphere.
+pub(super) fn normal(point: DVec3) -> DVec3 {
+    point.normalize()
+}
+
+/// Longitude about z from +x towards +y, and latitude from the south pole up, both mapped to `[0, 1]`.
+pub(super) fn texture_coordinates(point: DVec3) -> DVec2 {
+    let longitude = arctan2(point.y, point.x) / std::f64::consts::TAU;
+    DVec2::new(longitude - longitude.floor(), 1.0 - arccos(point.z / point.length()) / std::f64::consts::PI)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_the_nearest_of_the_roots_ahead() {
+        let hit = |origin: DVec3| intersect(origin, DVec3::X, f64::INFINITY, None);
+        assert_eq!(hit(DVec3::new(-3.0, 0.0, 0.0)), Some(2.0));
+        assert_eq!(hit(DVec3::ZERO), Some(1.0));
+        assert_eq!(hit(DVec3::new(3.0, 0.0, 0.0)), None);
+        assert_eq!(hit(DVec3::new(-3.0, 1.5, 0.0)), None);
+    }
+
+    #[test]
+    fn the_direction_may_have_any_length() {
+        let hit = intersect(DVec3::new(-3.0, 0.0, 0.0), DVec3::X * 4.0, f64::INFINITY, None);
+        assert_eq!(hit, Some(0.5));
+    }
+
+    #[test]
+    fn a_departing_ray_meets_the_sphere_only_at_the_other_end_of_the_chord() {
+        let origin = DVec3::new(0.6, 0.8, 0.0);
+        assert_eq!(intersect(origin, DVec3::NEG_X, f64::INFINITY, Some(Side::Front)), None);
+        let chord = intersect(origin, DVec3::NEG_X, f64::INFINITY, Some(Side::Back)).unwrap();
+        assert!((chord - 1.2).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_point_of_the_far_sphere_is_hit_to_the_last_digits() {
+        // Distance 1e7 radii: the textbook discriminant would be all rounding here in f32, and lose half in f64.
+        let origin = DVec3::new(-1e7, 0.5, 0.0);
+        let t = intersect(origin, DVec3::X, f64::INFINITY, None).unwrap();
+        let exact = 1e7 - 0.75_f64.sqrt();
+        assert!((t - exact).abs() < 1e-8);
+    }
+}
