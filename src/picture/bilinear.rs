@@ -15,7 +15,8 @@ use crate::math::Vec3;
 ///     o------------o  bottom
 /// ```
 ///
-/// Half a texel from the border and beyond, the border texel counts alone (both columns or rows are clamped to it).
+/// Half a texel from the border and beyond, the border texel counts alone: the share is 0 at the left and top, 1 at the
+/// right and bottom. The two columns are always neighbours, unless there is only one; so are the rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Footprint {
     /// Columns of the left and right texels.
@@ -39,7 +40,7 @@ impl Footprint {
     }
 
     /// Column, row and weight of the four texels: top left, top right, bottom left, bottom right. The weights add up
-    /// to 1; at a border the same texel appears more than once.
+    /// to 1; at a border some of them are 0.
     pub fn weighted_texels(&self) -> [(usize, usize, f32); 4] {
         let ([left, right], [top, bottom]) = (self.columns, self.rows);
         let (h, v) = (self.horizontal, self.vertical);
@@ -55,9 +56,13 @@ impl Footprint {
     #[inline]
     pub fn interpolate(&self, texel: impl Fn(usize, usize) -> Vec3) -> Vec3 {
         let ([left, right], [top, bottom]) = (self.columns, self.rows);
-        let upper = mix(texel(left, top), texel(right, top), self.horizontal);
-        let lower = mix(texel(left, bottom), texel(right, bottom), self.horizontal);
-        mix(upper, lower, self.vertical)
+        self.blend([texel(left, top), texel(right, top)], [texel(left, bottom), texel(right, bottom)])
+    }
+
+    /// The weighted mean of the two texels of the upper and of the lower row.
+    #[inline]
+    fn blend(&self, upper: [Vec3; 2], lower: [Vec3; 2]) -> Vec3 {
+        mix([mix(upper, self.horizontal), mix(lower, self.horizontal)], self.vertical)
     }
 }
 
@@ -67,13 +72,14 @@ fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
     let last = count - 1;
     // `max` turns NaN into 0.
     let centred = (position - 0.5).max(0.0).min(last as f32);
-    let first = (centred as u32 as usize).min(last);
+    let first = (centred as i32 as usize).min(last.saturating_sub(1));
     ([first, (first + 1).min(last)], centred - first as f32)
 }
 
+/// Written so that a share of 0 or 1 gives one of the two exactly.
 #[inline]
-fn mix(from: Vec3, to: Vec3, share: f32) -> Vec3 {
-    from + (to - from) * share
+fn mix([from, to]: [Vec3; 2], share: f32) -> Vec3 {
+    from * (1.0 - share) + to * share
 }
 
 impl Picture {
@@ -81,15 +87,17 @@ impl Picture {
     /// around it and clamped at the border. Texel centres are at half integers. Any `x`, `y` are allowed.
     #[inline]
     pub fn bilinear(&self, x: f32, y: f32) -> Vec3 {
-        let width = self.width();
-        let footprint = Footprint::new(x, y, width, self.height());
+        let (width, height) = (self.width(), self.height());
+        let footprint = Footprint::new(x, y, width, height);
+        if width < 2 || height < 2 {
+            return footprint.interpolate(|column, row| self.texel(column, row));
+        }
+        // Left and right texel lie side by side in memory: one bounds check a row.
+        let upper = footprint.rows[0] * width + footprint.columns[0];
+        let lower = upper + width;
         match self.texels() {
-            Texels::Srgb8(bytes) => footprint.interpolate(|column, row| {
-                let index = 3 * (row * width + column);
-                let texel = &bytes[index..index + 3];
-                decode_srgb8([texel[0], texel[1], texel[2]])
-            }),
-            Texels::Linear(colours) => footprint.interpolate(|column, row| colours[row * width + column]),
+            Texels::Srgb8(bytes) => footprint.blend(decoded_pair(bytes, upper), decoded_pair(bytes, lower)),
+            Texels::Linear(colours) => footprint.blend(pair(colours, upper), pair(colours, lower)),
         }
     }
 
@@ -99,4 +107,17 @@ impl Picture {
         let index = |position: f32, count: usize| (position.max(0.0) as usize).min(count - 1);
         self.texel(index(x, self.width()), index(y, self.height()))
     }
+}
+
+/// The linear colours of the texel at `index` and of the one after it.
+#[inline]
+fn decoded_pair(bytes: &[u8], index: usize) -> [Vec3; 2] {
+    let codes = &bytes[3 * index..3 * index + 6];
+    [decode_srgb8([codes[0], codes[1], codes[2]]), decode_srgb8([codes[3], codes[4], codes[5]])]
+}
+
+#[inline]
+fn pair(colours: &[Vec3], index: usize) -> [Vec3; 2] {
+    let colours = &colours[index..index + 2];
+    [colours[0], colours[1]]
 }
