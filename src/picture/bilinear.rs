@@ -32,42 +32,44 @@ pub struct Footprint {
 impl Footprint {
     /// The footprint of the point `(x, y)` in texels from the top left corner of a picture: texel 0 covers `[0, 1]`,
     /// its centre is at 0.5. Points outside are clamped; NaN counts as 0.
-    #[inline]
+    #[inline(always)]
     pub fn new(x: f32, y: f32, width: usize, height: usize) -> Self {
         let (columns, horizontal) = neighbours(x, width);
         let (rows, vertical) = neighbours(y, height);
         Self { columns, rows, horizontal, vertical }
     }
 
-    /// Column, row and weight of the four texels: top left, top right, bottom left, bottom right. The weights add up
-    /// to 1; at a border some of them are 0.
+    /// What the top left, top right, bottom left and bottom right texels count. The weights add up to 1; at a border some
+    /// of them are 0.
+    #[inline(always)]
+    pub fn weights(&self) -> [f32; 4] {
+        let (h, v) = (self.horizontal, self.vertical);
+        [(1.0 - h) * (1.0 - v), h * (1.0 - v), (1.0 - h) * v, h * v]
+    }
+
+    /// Column, row and weight of the four texels, in the order of [`Footprint::weights`].
     pub fn weighted_texels(&self) -> [(usize, usize, f32); 4] {
         let ([left, right], [top, bottom]) = (self.columns, self.rows);
-        let (h, v) = (self.horizontal, self.vertical);
-        [
-            (left, top, (1.0 - h) * (1.0 - v)),
-            (right, top, h * (1.0 - v)),
-            (left, bottom, (1.0 - h) * v),
-            (right, bottom, h * v),
-        ]
+        let [top_left, top_right, bottom_left, bottom_right] = self.weights();
+        [(left, top, top_left), (right, top, top_right), (left, bottom, bottom_left), (right, bottom, bottom_right)]
     }
 
     /// Interpolates the colours that `texel(column, row)` tells.
-    #[inline]
     pub fn interpolate(&self, texel: impl Fn(usize, usize) -> Vec3) -> Vec3 {
-        let ([left, right], [top, bottom]) = (self.columns, self.rows);
-        self.blend([texel(left, top), texel(right, top)], [texel(left, bottom), texel(right, bottom)])
+        let [a, b, c, d] = self.weighted_texels();
+        texel(a.0, a.1) * a.2 + texel(b.0, b.1) * b.2 + texel(c.0, c.1) * c.2 + texel(d.0, d.1) * d.2
     }
 
     /// The weighted mean of the two texels of the upper and of the lower row.
-    #[inline]
+    #[inline(always)]
     fn blend(&self, upper: [Vec3; 2], lower: [Vec3; 2]) -> Vec3 {
-        mix([mix(upper, self.horizontal), mix(lower, self.horizontal)], self.vertical)
+        let [top_left, top_right, bottom_left, bottom_right] = self.weights();
+        upper[0] * top_left + upper[1] * top_right + lower[0] * bottom_left + lower[1] * bottom_right
     }
 }
 
 /// The texels before and after a point on one axis of `count` texels, and the share of the second.
-#[inline]
+#[inline(always)]
 fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
     let last = count - 1;
     // `max` turns NaN into 0.
@@ -76,21 +78,15 @@ fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
     ([first, (first + 1).min(last)], centred - first as f32)
 }
 
-/// Written so that a share of 0 or 1 gives one of the two exactly.
-#[inline]
-fn mix([from, to]: [Vec3; 2], share: f32) -> Vec3 {
-    from * (1.0 - share) + to * share
-}
-
 impl Picture {
     /// The linear colour at the point `(x, y)` in texels from the top left corner, interpolated between the four texels
     /// around it and clamped at the border. Texel centres are at half integers. Any `x`, `y` are allowed.
-    #[inline]
+    #[inline(always)]
     pub fn bilinear(&self, x: f32, y: f32) -> Vec3 {
         let (width, height) = (self.width(), self.height());
         let footprint = Footprint::new(x, y, width, height);
         if width < 2 || height < 2 {
-            return footprint.interpolate(|column, row| self.texel(column, row));
+            return self.bilinear_in_one_line(&footprint);
         }
         // Left and right texel lie side by side in memory: one bounds check a row.
         let upper = footprint.rows[0] * width + footprint.columns[0];
@@ -99,6 +95,13 @@ impl Picture {
             Texels::Srgb8(bytes) => footprint.blend(decoded_pair(bytes, upper), decoded_pair(bytes, lower)),
             Texels::Linear(colours) => footprint.blend(pair(colours, upper), pair(colours, lower)),
         }
+    }
+
+    /// A picture one texel wide or high: the texels of a pair are one and the same.
+    #[cold]
+    #[inline(never)]
+    fn bilinear_in_one_line(&self, footprint: &Footprint) -> Vec3 {
+        footprint.interpolate(|column, row| self.texel(column, row))
     }
 
     /// The linear colour of the texel that the point `(x, y)` lies in, clamped at the border; NaN counts as 0.
@@ -110,13 +113,13 @@ impl Picture {
 }
 
 /// The linear colours of the texel at `index` and of the one after it.
-#[inline]
+#[inline(always)]
 fn decoded_pair(bytes: &[u8], index: usize) -> [Vec3; 2] {
-    let codes = &bytes[3 * index..3 * index + 6];
+    let codes: &[u8; 6] = bytes[3 * index..].first_chunk().expect("the pair lies in the picture");
     [decode_srgb8([codes[0], codes[1], codes[2]]), decode_srgb8([codes[3], codes[4], codes[5]])]
 }
 
-#[inline]
+#[inline(always)]
 fn pair(colours: &[Vec3], index: usize) -> [Vec3; 2] {
     let colours = &colours[index..index + 2];
     [colours[0], colours[1]]
