@@ -9,7 +9,7 @@ use crate::math::functions::power;
 pub static SRGB8_TO_LINEAR: [f32; 256] = srgb8_table();
 
 /// The linear colour of three 8-bit sRGB codes, by table.
-#[inline]
+#[inline(always)]
 pub fn decode_srgb8(codes: [u8; 3]) -> Vec3 {
     Vec3::new(
         SRGB8_TO_LINEAR[usize::from(codes[0])],

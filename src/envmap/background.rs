@@ -49,7 +49,8 @@ impl Equirectangular {
         let (u, v) = self.coordinates(direction);
         self.image.picture().map_or(Vec3::ZERO, |picture| {
             let (width, height) = (picture.width(), picture.height());
-            picture.interpolate(&Footprint::around(u * width as f32, v * height as f32, width, height))
+            let footprint = Footprint::around(u * width as f32, v * height as f32, width, height);
+            footprint.interpolate(|column, row| picture.texel(column, row))
         })
     }
 

@@ -15,7 +15,8 @@ use crate::math::Vec3;
 ///     o------------o  bottom
 /// ```
 ///
-/// Half a texel from the border and beyond, the border texel counts alone (both columns or rows are clamped to it).
+/// Half a texel from the border and beyond, the border texel counts alone: the share is 0 at the left and top, 1 at the
+/// right and bottom. The two columns are always neighbours, unless there is only one; so are the rows.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Footprint {
     /// Columns of the left and right texels.
@@ -31,7 +32,7 @@ pub struct Footprint {
 impl Footprint {
     /// The footprint of the point `(x, y)` in texels from the top left corner of a picture: texel 0 covers `[0, 1]`,
     /// its centre is at 0.5. Points outside are clamped; NaN counts as 0.
-    #[inline]
+    #[inline(always)]
     pub fn new(x: f32, y: f32, width: usize, height: usize) -> Self {
         let (columns, horizontal) = neighbours(x, width);
         let (rows, vertical) = neighbours(y, height);
@@ -47,64 +48,69 @@ impl Footprint {
         Self { columns: [first, (first + 1) % width], rows, horizontal: centred - before, vertical }
     }
 
-    /// Column, row and weight of the four texels: top left, top right, bottom left, bottom right. The weights add up
-    /// to 1; at a border the same texel appears more than once.
+    /// What the top left, top right, bottom left and bottom right texels count. The weights add up to 1; at a border some
+    /// of them are 0.
+    #[inline(always)]
+    pub fn weights(&self) -> [f32; 4] {
+        let (h, v) = (self.horizontal, self.vertical);
+        [(1.0 - h) * (1.0 - v), h * (1.0 - v), (1.0 - h) * v, h * v]
+    }
+
+    /// Column, row and weight of the four texels, in the order of [`Footprint::weights`].
     pub fn weighted_texels(&self) -> [(usize, usize, f32); 4] {
         let ([left, right], [top, bottom]) = (self.columns, self.rows);
-        let (h, v) = (self.horizontal, self.vertical);
-        [
-            (left, top, (1.0 - h) * (1.0 - v)),
-            (right, top, h * (1.0 - v)),
-            (left, bottom, (1.0 - h) * v),
-            (right, bottom, h * v),
-        ]
+        let [top_left, top_right, bottom_left, bottom_right] = self.weights();
+        [(left, top, top_left), (right, top, top_right), (left, bottom, bottom_left), (right, bottom, bottom_right)]
     }
 
     /// Interpolates the colours that `texel(column, row)` tells.
-    #[inline]
     pub fn interpolate(&self, texel: impl Fn(usize, usize) -> Vec3) -> Vec3 {
-        let ([left, right], [top, bottom]) = (self.columns, self.rows);
-        let upper = mix(texel(left, top), texel(right, top), self.horizontal);
-        let lower = mix(texel(left, bottom), texel(right, bottom), self.horizontal);
-        mix(upper, lower, self.vertical)
+        let [a, b, c, d] = self.weighted_texels();
+        texel(a.0, a.1) * a.2 + texel(b.0, b.1) * b.2 + texel(c.0, c.1) * c.2 + texel(d.0, d.1) * d.2
+    }
+
+    /// The weighted mean of the two texels of the upper and of the lower row.
+    #[inline(always)]
+    fn blend(&self, upper: [Vec3; 2], lower: [Vec3; 2]) -> Vec3 {
+        let [top_left, top_right, bottom_left, bottom_right] = self.weights();
+        upper[0] * top_left + upper[1] * top_right + lower[0] * bottom_left + lower[1] * bottom_right
     }
 }
 
 /// The texels before and after a point on one axis of `count` texels, and the share of the second.
-#[inline]
+#[inline(always)]
 fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
     let last = count - 1;
     // `max` turns NaN into 0.
     let centred = (position - 0.5).max(0.0).min(last as f32);
-    let first = (centred as u32 as usize).min(last);
+    let first = (centred as i32 as usize).min(last.saturating_sub(1));
     ([first, (first + 1).min(last)], centred - first as f32)
-}
-
-#[inline]
-fn mix(from: Vec3, to: Vec3, share: f32) -> Vec3 {
-    from + (to - from) * share
 }
 
 impl Picture {
     /// The linear colour at the point `(x, y)` in texels from the top left corner, interpolated between the four texels
     /// around it and clamped at the border. Texel centres are at half integers. Any `x`, `y` are allowed.
-    #[inline]
+    #[inline(always)]
     pub fn bilinear(&self, x: f32, y: f32) -> Vec3 {
-        self.interpolate(&Footprint::new(x, y, self.width(), self.height()))
+        let (width, height) = (self.width(), self.height());
+        let footprint = Footprint::new(x, y, width, height);
+        if width < 2 || height < 2 {
+            return self.bilinear_in_one_line(&footprint);
+        }
+        // Left and right texel lie side by side in memory: one bounds check a row.
+        let upper = footprint.rows[0] * width + footprint.columns[0];
+        let lower = upper + width;
+        match self.texels() {
+            Texels::Srgb8(bytes) => footprint.blend(decoded_pair(bytes, upper), decoded_pair(bytes, lower)),
+            Texels::Linear(colours) => footprint.blend(pair(colours, upper), pair(colours, lower)),
+        }
     }
 
-    /// The linear colour of a footprint.
-    #[inline]
-    pub fn interpolate(&self, footprint: &Footprint) -> Vec3 {
-        let width = self.width();
-        match self.texels() {
-            Texels::Srgb8(bytes) => footprint.interpolate(|column, row| {
-                let index = 3 * (row * width + column);
-                let texel = &bytes[index..index + 3];
-                decode_srgb8([texel[0], texel[1], texel[2]])
-            }),
-            Texels::Linear(colours) => footprint.interpolate(|column, row| colours[row * width + column]),
-        }
+    /// A picture one texel wide or high: the texels of a pair are one and the same.
+    #[cold]
+    #[inline(never)]
+    fn bilinear_in_one_line(&self, footprint: &Footprint) -> Vec3 {
+        footprint.interpolate(|column, row| self.texel(column, row))
     }
 
     /// The linear colour of the texel that the point `(x, y)` lies in, clamped at the border; NaN counts as 0.
@@ -113,4 +119,17 @@ impl Picture {
         let index = |position: f32, count: usize| (position.max(0.0) as usize).min(count - 1);
         self.texel(index(x, self.width()), index(y, self.height()))
     }
+}
+
+/// The linear colours of the texel at `index` and of the one after it.
+#[inline(always)]
+fn decoded_pair(bytes: &[u8], index: usize) -> [Vec3; 2] {
+    let codes: &[u8; 6] = bytes[3 * index..].first_chunk().expect("the pair lies in the picture");
+    [decode_srgb8([codes[0], codes[1], codes[2]]), decode_srgb8([codes[3], codes[4], codes[5]])]
+}
+
+#[inline(always)]
+fn pair(colours: &[Vec3], index: usize) -> [Vec3; 2] {
+    let colours = &colours[index..index + 2];
+    [colours[0], colours[1]]
 }

@@ -68,7 +68,14 @@ fn the_footprint_is_what_is_drawn() {
     assert_eq!(footprint.rows, [0, 1]);
     let expected = [(2, 0, 0.375), (3, 0, 0.125), (2, 1, 0.375), (3, 1, 0.125)];
     assert_eq!(footprint.weighted_texels(), expected);
-    assert_eq!(Footprint::new(9.0, -1.0, 4, 3).weighted_texels()[0], (3, 0, 1.0));
+    // Beyond the top right corner its texel counts alone.
+    let corner = Footprint::new(9.0, -1.0, 4, 3);
+    assert_eq!(corner.weighted_texels(), [(2, 0, 0.0), (3, 0, 1.0), (2, 1, 0.0), (3, 1, 0.0)]);
+    // One texel is its own neighbour.
+    assert_eq!(
+        Footprint::new(0.7, 0.2, 1, 1),
+        Footprint { columns: [0, 0], rows: [0, 0], horizontal: 0.0, vertical: 0.0 }
+    );
 }
 
 proptest! {
