@@ -9,6 +9,8 @@ mod layout;
 mod listing;
 mod naming;
 mod passing_over;
+#[cfg(test)]
+mod real_maps;
 mod selection;
 mod sheet;
 mod sizes;
