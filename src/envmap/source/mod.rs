@@ -7,10 +7,9 @@ mod face_image;
 mod folder;
 mod layout;
 mod listing;
+mod listing_errors;
 mod naming;
 mod passing_over;
-#[cfg(test)]
-mod real_maps;
 mod selection;
 mod sheet;
 mod sizes;

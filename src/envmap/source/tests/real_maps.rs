@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use super::*;
-use crate::picture::{Picture, Texels};
+use crate::picture::Picture;
 
 /// Signed axes of u and v of the `opengl` lookup: axis number and sign, v from the top row down.
 const OPENGL: [[(usize, f32); 2]; 6] = [
