@@ -35,7 +35,10 @@ impl Archive {
         let mut entries = Vec::new();
         for index in 0..archive.len() {
             let entry = archive.by_index_data(index).map_err(|error| refused(&error).in_file(path))?;
-            let name = String::from_utf8_lossy(entry.name_raw()).replace('\\', "/");
+            let decoded = entry.name().map(|name| name.into_owned());
+            let name = decoded.unwrap_or_else(|_| String::from_utf8_lossy(entry.name_raw()).into_owned());
+            // Some archivers of Windows write backslashes.
+            let name = name.replace('\\', "/");
             if !name.ends_with('/') {
                 entries.push((name, index));
             }

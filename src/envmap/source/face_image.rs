@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::picture::{self, Header, Picture};
 
 /// How much of a file is read first to find its header; the whole file follows only if that does not suffice.
-pub(super) const HEAD: u64 = 256 * 1024;
+const HEAD: u64 = 256 * 1024;
 
 /// The image of one face. Opening it has read the header alone; each call of [`FaceImage::decode`] decodes the pixels,
 /// so whoever needs them twice keeps them. May be shared between threads.
@@ -35,13 +35,13 @@ enum Origin {
 impl FaceImage {
     /// A face in a file of its own, called `name` in reports.
     pub(super) fn from_file(path: PathBuf, name: String) -> Result<Self> {
-        let header = read_header(|limit| read_file(&path, limit), &path)?;
+        let (header, _) = read_header(|limit| read_file(&path, limit), &path)?;
         Ok(Self { name, header, origin: Origin::File(path) })
     }
 
     /// A face in an entry of a zip archive, called `name` in reports.
     pub(super) fn from_entry(entry: ArchiveEntry, name: String) -> Result<Self> {
-        let header = read_header(|limit| entry.read(limit), &entry.path())?;
+        let (header, _) = read_header(|limit| entry.read(limit), &entry.path())?;
         Ok(Self { name, header, origin: Origin::Entry(entry) })
     }
 
@@ -90,12 +90,16 @@ impl FaceImage {
 }
 
 /// Reads a header from the beginning of a file, or from all of it where the beginning does not suffice. `read` yields
-/// the bytes up to a limit.
-pub(super) fn read_header(read: impl Fn(Option<u64>) -> Result<Vec<u8>>, name: &Path) -> Result<Header> {
+/// the bytes up to a limit; those that the header was read from are returned beside it.
+pub(super) fn read_header(read: impl Fn(Option<u64>) -> Result<Vec<u8>>, name: &Path) -> Result<(Header, Vec<u8>)> {
     let head = read(Some(HEAD))?;
     match picture::read_header(&head, name) {
-        Err(_) if head.len() as u64 == HEAD => picture::read_header(&read(None)?, name),
-        result => result,
+        Ok(header) => Ok((header, head)),
+        Err(_) if head.len() as u64 == HEAD => {
+            let whole = read(None)?;
+            Ok((picture::read_header(&whole, name)?, whole))
+        }
+        Err(error) => Err(error),
     }
 }
 

@@ -96,7 +96,8 @@ fn unknown_shape(width: usize, height: usize) -> Error {
         quotient.max(1.0 / quotient)
     };
     let nearest = SHAPES.iter().min_by(|a, b| distance(a.1, a.2).total_cmp(&distance(b.1, b.2)));
-    let names = SHAPES.map(|(.., name)| name).join(", ");
+    let cubes = SHAPES.iter().filter(|(picture, ..)| matches!(picture, EnvironmentPicture::Cube(_)));
+    let names = cubes.map(|(.., name)| *name).collect::<Vec<_>>().join(", ");
     let error = error.expected(format!("a cross or strip whose cells are exactly square ({names})"));
     match nearest {
         Some(&(_, columns, rows, name)) if distance(columns, rows) < 1.1 => {
@@ -165,12 +166,12 @@ mod tests {
         let error = |width, height| EnvironmentPicture::recognise(width, height, None).unwrap_err();
         insta::assert_snapshot!(error(1025, 768), @r"
         1025 x 768 pixels: the shape tells no layout of six faces
-          expected: a cross or strip whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, equirectangular 2:1)
+          expected: a cross or strip whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6)
           help: if this is a horizontal cross 4:3, 1024 x 768 or 1028 x 771 pixels would be right
         ");
         insta::assert_snapshot!(error(512, 512), @r"
         512 x 512 pixels: the shape tells no layout of six faces
-          expected: a cross or strip whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, equirectangular 2:1)
+          expected: a cross or strip whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6)
           help: six faces may also be six files in a folder or zip
         ");
         let cube = EnvironmentPicture::recognise(512, 512, Some(EnvironmentLayout::Cube)).unwrap_err();

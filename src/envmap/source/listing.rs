@@ -2,13 +2,10 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::passing_over::{is_passed_over, is_readable_format};
+use super::listing_errors::{no_complete_set, several_folders, several_sets, unclear};
+use super::passing_over::is_passed_over;
 use super::selection::{self, Found, Selection};
-use crate::envmap::Face;
-use crate::error::{Error, Result};
-
-/// How many names an error lists before it counts the rest.
-const LISTED: usize = 12;
+use crate::error::Result;
 
 /// The six faces of a folder or archive, as indices into the list of its files, and what was passed over.
 #[derive(Debug, PartialEq, Eq)]
@@ -90,114 +87,16 @@ fn settle(paths: &[String], selection: &Selection) -> Result<Located> {
 }
 
 /// The paths that are not among the given ones, sorted.
-fn all_but(paths: &[String], used: &[usize]) -> Vec<String> {
+pub(super) fn all_but(paths: &[String], used: &[usize]) -> Vec<String> {
     let others: BTreeSet<&String> =
         paths.iter().enumerate().filter(|(index, _)| !used.contains(index)).map(|(_, path)| path).collect();
     others.into_iter().cloned().collect()
 }
 
-/// No directory has all six: shows the one that comes nearest.
-fn no_complete_set(paths: &[String], selections: &[Selection]) -> Error {
-    let mut nearest: Option<&Found> = None;
-    for selection in selections {
-        let Selection::Unclear(found) = selection else { continue };
-        if nearest.is_none_or(|nearest| selection::missing(found).len() < selection::missing(nearest).len()) {
-            nearest = Some(found);
-        }
-    }
-    match nearest {
-        Some(found) if selection::missing(found).len() < 6 => unclear(paths, found),
-        _ => no_faces(paths),
-    }
-}
-
-/// Nothing is named like a face.
-fn no_faces(paths: &[String]) -> Error {
-    let pictures: Vec<&String> =
-        paths.iter().filter(|path| !is_passed_over(path) && is_readable_format(path)).collect();
-    let problem = if paths.is_empty() { "no files in it" } else { "no file in it is named like a face of a cube" };
-    let error = Error::new(format!("{problem}{}", passed_over_line(&all_but(paths, &[]))));
-    match pictures[..] {
-        [one] => error.help(format!("if {one} holds all six faces as a cross or strip, give that file itself")),
-        _ => error,
-    }
-    .expected(NAMES)
-}
-
-/// The names that a user may give the files.
-const NAMES: &str = "six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom \
-                     front back, or rt lf up dn ft bk, with any prefix, case and extension";
-
-/// Faces are missing or have several files.
-fn unclear(paths: &[String], found: &Found) -> Error {
-    let (missing, doubled) = (selection::missing(found), selection::doubled(found));
-    let counted = [(missing, "without a file"), (doubled, "with several files")];
-    let parts: Vec<String> = counted
-        .into_iter()
-        .filter(|(faces, _)| !faces.is_empty())
-        .map(|(faces, what)| format!("{} {what}", names_of(&faces)))
-        .collect();
-    let problem = if parts.is_empty() { "one file stands for two faces".to_owned() } else { parts.join("; ") };
-    let used: Vec<usize> = found.iter().flatten().copied().collect();
-    let rest = passed_over_line(&all_but(paths, &used));
-    Error::new(format!("{problem}{}{rest}", table(paths, found)))
-        .expected("one picture for each of the six faces")
-        .help(
-            "rename files, or move those that do not belong out of the way; a scene may also name the six files itself",
-        )
-}
-
-fn names_of(faces: &[Face]) -> String {
-    faces.iter().map(|face| face.name()).collect::<Vec<_>>().join(", ")
-}
-
-/// One line for each face with what was found for it.
-fn table(paths: &[String], found: &Found) -> String {
-    let line = |face: Face| {
-        let files: Vec<&str> = found[face.index()].iter().map(|&file| paths[file].as_str()).collect();
-        let files = if files.is_empty() { "nothing".to_owned() } else { shortened(&files) };
-        format!("\n  {}: {files}", face.name())
-    };
-    Face::ALL.map(line).concat()
-}
-
-/// A line with the files that are no face; nothing if there are none.
-fn passed_over_line(names: &[String]) -> String {
-    if names.is_empty() { String::new() } else { format!("\n  passed over: {}", shortened(names)) }
-}
-
-/// A list that stays readable when a folder holds thousands of files.
-fn shortened(names: &[impl AsRef<str>]) -> String {
-    let shown: Vec<&str> = names.iter().take(LISTED).map(AsRef::as_ref).collect();
-    let more = if names.len() > LISTED { format!(" and {} more", names.len() - LISTED) } else { String::new() };
-    format!("{}{more}", shown.join(", "))
-}
-
-/// One directory holds several complete sets.
-fn several_sets(paths: &[String], sets: &[Found]) -> Error {
-    let list = |found: &Found| {
-        let files: Vec<&str> = found.iter().flatten().map(|&file| paths[file].as_str()).collect();
-        format!("\n  {}", shortened(&files))
-    };
-    let lists: String = sets.iter().map(list).collect();
-    Error::new(format!("{} complete sets of six faces{lists}", sets.len()))
-        .expected("one set")
-        .help("move all sets but one into folders of their own; a scene may also name the six files itself")
-}
-
-/// Several subfolders hold complete sets.
-fn several_folders<'a>(folders: impl Iterator<Item = &'a str>) -> Error {
-    let folders: Vec<&str> = folders.collect();
-    let lines: String = folders.iter().take(LISTED).map(|folder| format!("\n  {folder}")).collect();
-    let more = if folders.len() > LISTED { format!("\n  and {} more", folders.len() - LISTED) } else { String::new() };
-    Error::new(format!("{} subfolders hold six faces each{lines}{more}", folders.len()))
-        .expected("one set of six faces")
-        .help(format!("name the subfolder that is meant after a slash, as in .../{}", folders[0]))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::envmap::Face;
 
     fn six_in(directory: &str) -> Vec<String> {
         Face::ALL.map(|face| format!("{directory}{}.png", face.name())).to_vec()

@@ -7,6 +7,7 @@ mod face_image;
 mod folder;
 mod layout;
 mod listing;
+mod listing_errors;
 mod naming;
 mod passing_over;
 mod selection;

@@ -26,8 +26,10 @@ impl Sheet {
 
     /// Reads the header and tells the layout from it.
     pub fn open(path: &Path) -> Result<Self> {
-        let header = read_header(|limit| read_file(path, limit), path)?;
-        match recognise(path, header)? {
+        let (header, head) = read_header(|limit| read_file(path, limit), path)?;
+        let attribute = picture::exr_environment(&head);
+        let recognised = EnvironmentPicture::recognise(header.width, header.height, attribute);
+        match recognised.map_err(|error| error.in_file(path))? {
             EnvironmentPicture::Cube(layout) => {
                 Ok(Self { path: path.to_path_buf(), header, layout, picture: OnceLock::new() })
             }
@@ -80,12 +82,6 @@ impl Sheet {
         }
         Err(Error::new("its pixels are of another size than its header says").in_file(&self.path))
     }
-}
-
-/// What the picture in a file is.
-pub(super) fn recognise(path: &Path, header: Header) -> Result<EnvironmentPicture> {
-    let attribute = picture::exr_environment(&read_file(path, Some(super::face_image::HEAD))?);
-    EnvironmentPicture::recognise(header.width, header.height, attribute).map_err(|error| error.in_file(path))
 }
 
 fn equirectangular(path: &Path, header: Header) -> Error {
