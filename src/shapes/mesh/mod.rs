@@ -8,10 +8,12 @@ mod geometry;
 mod packet;
 mod surface;
 mod triangle;
+mod wavefront;
 
 pub use geometry::MeshGeometry;
 pub use surface::MeshPoint;
 pub use triangle::{ShearedRay, TriangleHit};
+pub use wavefront::{ObjFile, ObjMaterial};
 
 use crate::bvh::{FloatBox, Hierarchy, HierarchyRay, Visit};
 use crate::error::{Error, Result};
