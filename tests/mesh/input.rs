@@ -15,11 +15,26 @@ fn refusal(change: impl FnOnce(&mut MeshGeometry)) -> String {
 
 #[test]
 fn refuses_what_cannot_be_traced() {
-    insta::assert_snapshot!(refusal(|g| g.triangles.clear()), @"");
-    insta::assert_snapshot!(refusal(|g| g.triangles.push([0, 1, 3])), @"");
-    insta::assert_snapshot!(refusal(|g| g.positions[1].y = f32::NAN), @"");
-    insta::assert_snapshot!(refusal(|g| g.normals.push(Vec3::Z)), @"");
-    insta::assert_snapshot!(refusal(|g| g.triangles = vec![[0, 1, 1], [2, 2, 2]]), @"");
+    insta::assert_snapshot!(refusal(|g| g.triangles.clear()), @r#"
+    the mesh has no triangles
+      expected: at least one triangle
+    "#);
+    insta::assert_snapshot!(refusal(|g| g.triangles.push([0, 1, 3])), @r#"
+    triangle 1 has the vertices [0, 1, 3], but there are only 3
+      expected: numbers from 0 to 2
+    "#);
+    insta::assert_snapshot!(refusal(|g| g.positions[1].y = f32::NAN), @r#"
+    vertex 1 is at [1, NaN, 0]
+      expected: finite coordinates of at most 1e12
+    "#);
+    insta::assert_snapshot!(refusal(|g| g.normals.push(Vec3::Z)), @r#"
+    the mesh has 1 normals
+      expected: 3, or none
+    "#);
+    insta::assert_snapshot!(refusal(|g| g.triangles = vec![[0, 1, 1], [2, 2, 2]]), @r#"
+    no triangle of the mesh has an area
+      expected: at least one that has
+    "#);
 }
 
 #[test]

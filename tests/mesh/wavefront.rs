@@ -63,22 +63,61 @@ fn needs_no_materials_where_none_are_used() {
 #[test]
 fn names_the_line_that_is_wrong() {
     let face = |line: &str| refusal(&format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{line}\n"), None);
-    insta::assert_snapshot!(face("f 1 2 4"), @"");
-    insta::assert_snapshot!(face("f 1 2 0"), @"");
-    insta::assert_snapshot!(face("f 1/1 2/1 3/1"), @"");
-    insta::assert_snapshot!(face("f 1 two 3"), @"");
-    insta::assert_snapshot!(face("f 1 2"), @"");
-    insta::assert_snapshot!(face("f 1//1 2 3"), @"");
-    insta::assert_snapshot!(face("v 1 2"), @"");
-    insta::assert_snapshot!(face("usemtl red"), @"");
-    insta::assert_snapshot!(face(""), @"");
+    insta::assert_snapshot!(face("f 1 2 4"), @r#"
+    o.obj:4: the corner "4" has vertex 4
+      expected: 1 to 3, or -1 to -3: so many are defined before this line
+    "#);
+    insta::assert_snapshot!(face("f 1 2 0"), @r#"
+    o.obj:4: the corner "0" has vertex 0
+      expected: 1 to 3, or -1 to -3: so many are defined before this line
+    "#);
+    insta::assert_snapshot!(face("f 1/1 2/1 3/1"), @r#"
+    o.obj:4: the corner "1/1" has texture coordinate 1
+      expected: 1 to 0, or -1 to -0: so many are defined before this line
+    "#);
+    insta::assert_snapshot!(face("f 1 two 3"), @r#"
+    o.obj:4: found the corner "two"
+      expected: v, v/vt, v//vn or v/vt/vn
+    "#);
+    insta::assert_snapshot!(face("f 1 2"), @r#"
+    o.obj:4: a face of 2 corners
+      expected: at least three
+    "#);
+    insta::assert_snapshot!(face("f 1//1 2 3"), @r#"
+    o.obj:4: found "f 1//1 2 3"
+      expected: the same parts at all corners of the face
+    "#);
+    insta::assert_snapshot!(face("v 1 2"), @r#"
+    o.obj:4: found "1 2"
+      expected: 3 finite numbers
+    "#);
+    insta::assert_snapshot!(face("usemtl red"), @r#"
+    o.obj:4: no material "red"
+      expected: a `mtllib` line before it that names a file with this material
+      help: put the MTL file where the OBJ file's `mtllib` line says, or remove its `mtllib` and `usemtl` lines
+    "#);
+    insta::assert_snapshot!(face(""), @r#"
+    o.obj: the mesh has no triangles
+      expected: at least one triangle
+    "#);
 }
 
 #[test]
 fn names_the_material_file_that_is_wrong() {
-    insta::assert_snapshot!(refusal(OBJECT, None), @"");
-    insta::assert_snapshot!(refusal(OBJECT, Some("newmtl plain\n")), @"");
-    insta::assert_snapshot!(refusal(OBJECT, Some("newmtl red\nKd 1 0\n")), @"");
+    insta::assert_snapshot!(refusal(OBJECT, None), @r#"
+    m.mtl: cannot be read: No such file or directory (os error 2)
+      help: put the MTL file where the OBJ file's `mtllib` line says, or remove its `mtllib` and `usemtl` lines
+    "#);
+    insta::assert_snapshot!(refusal(OBJECT, Some("newmtl plain\n")), @r#"
+    o.obj:13: no material "red"
+      expected: one of plain
+      help: put the MTL file where the OBJ file's `mtllib` line says, or remove its `mtllib` and `usemtl` lines
+    "#);
+    insta::assert_snapshot!(refusal(OBJECT, Some("newmtl red\nKd 1 0\n")), @r#"
+    m.mtl:2: found "Kd 1 0"
+      expected: three numbers
+      help: put the MTL file where the OBJ file's `mtllib` line says, or remove its `mtllib` and `usemtl` lines
+    "#);
 }
 
 #[test]

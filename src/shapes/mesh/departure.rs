@@ -32,22 +32,32 @@ pub(super) struct MeshDeparture {
     corners: [DVec3; 3],
     /// Normal of the triangle, unit length, to the side that the ray leaves to.
     outward: DVec3,
-    origin: DVec3,
+    /// Where the ray starts: see [`MeshDeparture::new`].
+    pub(super) origin: DVec3,
     direction: DVec3,
     /// How far the origin may be from where it should be.
     error: f64,
 }
 
 impl MeshDeparture {
+    /// Puts the origin where it would be without rounding: into the triangle, then off it by the bound of the
+    /// rounding error to the side the ray leaves to, and by four times that away from the triangle's edges.
+    ///
+    /// A ray into a closed mesh then starts inside beyond doubt, and one out of a convex mesh outside.
+    /// (The bound in place of an epsilon: Pharr, Jakob, Humphreys: Physically Based Rendering, 4th ed., 6.8.)
     pub(super) fn new(geometry: &MeshGeometry, origin: DVec3, direction: DVec3, leaving: (u32, Side)) -> Self {
         let (triangle, side) = leaving;
         let corners = geometry.corners(triangle).map(|corner| corner.as_dvec3());
-        let normal = geometry.area_vector(triangle).normalize_or_zero();
-        let magnitude = corners.iter().fold(origin.abs(), |largest, corner| largest.max(corner.abs())).max_element();
-        // What the origin is off its plane shows how inexact it is, beyond the rounding of its own coordinates.
-        let height = normal.dot(origin - corners[0]).abs();
+        let area_vector = geometry.area_vector(triangle);
+        let normal = area_vector.normalize_or_zero();
+        let magnitude = corners[0].abs().max(corners[1].abs()).max(corners[2].abs()).max_element();
+        let error = POSITION_ERROR * magnitude;
         let outward = if side == Side::Front { normal } else { -normal };
-        Self { triangle, corners, outward, origin, direction, error: POSITION_ERROR * magnitude + 8.0 * height }
+        let point = into_triangle(origin, &corners, area_vector);
+        let inset = ((corners[0] + corners[1] + corners[2]) / 3.0 - point).clamp_length_max(4.0 * error);
+        let height = normal.dot(point - corners[0]);
+        let origin = point + inset + (outward * error - normal * height);
+        Self { triangle, corners, outward, origin, direction, error: 8.0 * error }
     }
 
     /// The hit on another triangle as it should count: `None` if the ray does not hit it.
@@ -67,6 +77,21 @@ impl MeshDeparture {
         let start = hit.t * self.direction.length() > -self.error * (1u64 << 20) as f64;
         (reachable && approached && start).then_some(TriangleHit { t: hit.t.max(0.0), ..hit })
     }
+}
+
+/// The point, if its foot on the triangle's plane lies in the triangle; otherwise a point of an edge beside it.
+///
+/// A point that was in the triangle may have come off by its way through the world, by more the farther the mesh is
+/// from the world's origin.
+fn into_triangle(point: DVec3, corners: &[DVec3; 3], area_vector: DVec3) -> DVec3 {
+    let weight = |from: DVec3, to: DVec3| area_vector.dot((to - from).cross(point - from));
+    let [a, b, c] = *corners;
+    let weights = [weight(b, c), weight(c, a), weight(a, b)];
+    if weights.iter().all(|&weight| weight >= 0.0) {
+        return point;
+    }
+    let weights = weights.map(|weight| weight.max(0.0));
+    (a * weights[0] + b * weights[1] + c * weights[2]) / (weights[0] + weights[1] + weights[2])
 }
 
 /// Whether any of the corners lies on the side of the plane that the normal points to, beyond doubt.

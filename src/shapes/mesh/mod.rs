@@ -132,10 +132,11 @@ struct Query {
 impl Query {
     #[inline]
     fn new(mesh: &Mesh, origin: DVec3, direction: DVec3, leaving: Option<(u32, Side)>) -> Option<Self> {
+        let departure = leaving.map(|leaving| MeshDeparture::new(&mesh.geometry, origin, direction, leaving));
+        let origin = departure.map_or(origin, |departure| departure.origin);
         let ray = mesh.hierarchy.ray(origin, direction)?;
         let sheared = ShearedRay::new(origin, direction);
         let packet = PacketRay::new(&ray, &sheared);
-        let departure = leaving.map(|leaving| MeshDeparture::new(&mesh.geometry, origin, direction, leaving));
         Some(Self { ray, sheared, packet, departure })
     }
 
