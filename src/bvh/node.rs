@@ -29,6 +29,17 @@ impl Child {
         (self.0 & Self::LEAF != 0).then_some(self.0 & !Self::LEAF)
     }
 
+    /// The child as a number, and back.
+    #[inline(always)]
+    pub(super) fn bits(self) -> u32 {
+        self.0
+    }
+
+    #[inline(always)]
+    pub(super) fn from_bits(bits: u32) -> Self {
+        Self(bits)
+    }
+
     /// The index of the node, if it is no leaf.
     pub(super) fn node_index(self) -> usize {
         self.0 as usize

@@ -34,24 +34,116 @@ impl Hierarchy {
     pub fn traverse(&self, ray: &HierarchyRay, t_max: f64, mut visit: impl FnMut(u32) -> Visit) {
         let slabs = Slabs::new(ray);
         let mut limit = ray.limit(t_max);
-        let mut stack = [(Child::node(0), 0.0_f32); STACK_SIZE];
-        let mut top = 1;
-        while top > 0 {
-            top -= 1;
-            let (child, enter) = stack[top];
-            if enter > limit {
-                continue;
-            }
-            match child.leaf_number() {
-                None => top = slabs.push_children(&self.nodes[child.node_index()], limit, &mut stack, top),
-                Some(leaf) => match visit(leaf) {
+        let mut stack = Stack { entries: [Entry(0); STACK_SIZE], height: 0 };
+        let mut next = Some(Child::node(0));
+        while let Some(child) = next {
+            if let Some(leaf) = child.leaf_number() {
+                match visit(leaf) {
                     Visit::Continue => {}
                     Visit::Closer(t) => limit = ray.limit(t),
                     Visit::Stop => return,
-                },
+                }
+                next = stack.pop(limit);
+            } else {
+                let node = &self.nodes[child.node_index()];
+                let (enter, touched) = slabs.intersect(node, limit);
+                next = stack.descend(node, enter, touched).or_else(|| stack.pop(limit));
             }
         }
     }
+}
+
+/// A child and where the ray enters it, in one number that sorts by distance: the bits of an `f32` that is not
+/// negative grow with its value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Entry(u64);
+
+impl Entry {
+    #[inline(always)]
+    fn new(enter: f32, child: Child) -> Self {
+        Self(u64::from(enter.to_bits()) << 32 | u64::from(child.bits()))
+    }
+
+    #[inline(always)]
+    fn enter(self) -> f32 {
+        f32::from_bits((self.0 >> 32) as u32)
+    }
+
+    #[inline(always)]
+    fn child(self) -> Child {
+        Child::from_bits(self.0 as u32)
+    }
+}
+
+/// What is still to be looked at, the nearest on top.
+struct Stack {
+    entries: [Entry; STACK_SIZE],
+    height: usize,
+}
+
+impl Stack {
+    #[inline(always)]
+    fn push(&mut self, entry: Entry) {
+        self.entries[self.height] = entry;
+        self.height += 1;
+    }
+
+    /// The topmost child that the ray enters before the limit.
+    #[inline(always)]
+    fn pop(&mut self, limit: f32) -> Option<Child> {
+        while self.height > 0 {
+            self.height -= 1;
+            let entry = self.entries[self.height];
+            // Written so that NaN, which tells nothing, is looked at.
+            if !(entry.enter() > limit) {
+                return Some(entry.child());
+            }
+        }
+        None
+    }
+
+    /// The nearest of the touched children; the others go on the stack.
+    #[inline(always)]
+    fn descend(&mut self, node: &Node, enter: Vec4, touched: u32) -> Option<Child> {
+        if touched == 0 {
+            return None;
+        }
+        let first = touched.trailing_zeros() as usize % WIDTH;
+        let rest = touched & (touched - 1);
+        if rest == 0 {
+            return Some(node.children[first]);
+        }
+        let entry = |slot: usize| Entry::new(enter.as_ref()[slot], node.children[slot]);
+        let second = rest.trailing_zeros() as usize % WIDTH;
+        if rest & (rest - 1) == 0 {
+            let (near, far) = in_order(entry(first), entry(second));
+            self.push(far);
+            return Some(near.child());
+        }
+        let absent = Entry(u64::MAX);
+        let slots = std::array::from_fn(|slot| if touched >> slot & 1 == 1 { entry(slot) } else { absent });
+        let [nearest, second, third, farthest] = sorted(slots);
+        if farthest != absent {
+            self.push(farthest);
+        }
+        self.push(third);
+        self.push(second);
+        Some(nearest.child())
+    }
+}
+
+#[inline(always)]
+fn in_order(a: Entry, b: Entry) -> (Entry, Entry) {
+    if a <= b { (a, b) } else { (b, a) }
+}
+
+/// A sorting network: five exchanges without branches.
+#[inline(always)]
+fn sorted([a, b, c, d]: [Entry; 4]) -> [Entry; 4] {
+    let ((a, b), (c, d)) = (in_order(a, b), in_order(c, d));
+    let ((a, c), (b, d)) = (in_order(a, c), in_order(b, d));
+    let (b, c) = in_order(b, c);
+    [a, b, c, d]
 }
 
 /// The ray, each component four times.
@@ -77,7 +169,7 @@ impl Slabs {
     }
 
     /// Where the ray enters the four boxes, and a bit for each that it touches before `limit`.
-    #[inline]
+    #[inline(always)]
     fn intersect(&self, node: &Node, limit: f32) -> (Vec4, u32) {
         let enter_slab = |axis: usize| (node.planes[self.near[axis]] - self.origin_near[axis]) * self.inverse[axis];
         let exit_slab = |axis: usize| {
@@ -87,25 +179,5 @@ impl Slabs {
         let enter = enter_slab(0).max(enter_slab(1)).max(enter_slab(2)).max(Vec4::ZERO);
         let exit = exit_slab(0).min(exit_slab(1)).min(exit_slab(2)).min(Vec4::splat(limit));
         (enter, !enter.cmpgt(exit).bitmask() & 0xF)
-    }
-
-    /// Puts the children that the ray touches on the stack, the nearest on top; returns the new height.
-    #[inline]
-    fn push_children(&self, node: &Node, limit: f32, stack: &mut [(Child, f32); STACK_SIZE], top: usize) -> usize {
-        let (enter, mut touched) = self.intersect(node, limit);
-        let enter = enter.to_array();
-        let mut end = top;
-        while touched != 0 {
-            let slot = touched.trailing_zeros() as usize;
-            touched &= touched - 1;
-            let mut place = end;
-            while place > top && stack[place - 1].1 < enter[slot] {
-                stack[place] = stack[place - 1];
-                place -= 1;
-            }
-            stack[place] = (node.children[slot], enter[slot]);
-            end += 1;
-        }
-        end
     }
 }
