@@ -8,9 +8,9 @@ use super::document::{Table, Value};
 use super::material::TextureStore;
 use crate::error::Result;
 use crate::materials::{ColourSource, ImageTexture, Material};
-use crate::math::{DAffine3, DMat3, DVec2, DVec3, Transform};
+use crate::math::{DAffine3, DMat3, DVec2, DVec3, Transform, Vec3};
 use crate::picture::Filter;
-use crate::shapes::mesh::{Mesh, ObjFile};
+use crate::shapes::mesh::{Mesh, ObjFile, ObjMaterial};
 use crate::shapes::{Geometry, MaterialChoice, Outline, Primitive};
 
 /// Reads shapes; remembers materials and meshes, so that each file is read once and instances share a mesh.
@@ -113,37 +113,44 @@ impl<'a> ShapeReader<'a> {
 
     fn load_mesh(&mut self, path: &Path) -> Result<LoadedMesh> {
         let object = ObjFile::read(path)?;
+        // Faces without a material leave the choice to the scene.
+        let described: Option<Vec<ObjMaterial>> = object.groups.into_iter().collect();
         let mut numbers = Vec::new();
-        for described in &object.materials {
-            let material = self.convert(described)?;
+        for described in described.iter().flatten() {
             numbers.push(self.materials.len() as u32);
+            let material = self.convert(described)?;
             self.materials.push(material);
         }
-        let materials = (!numbers.is_empty()).then(|| Arc::from(numbers));
-        Ok(LoadedMesh { mesh: Arc::new(Mesh::new(object.geometry)?), materials })
+        let materials = described.map(|_| Arc::from(numbers));
+        Ok(LoadedMesh { mesh: Arc::new(object.mesh), materials })
     }
 
-    /// A material of an MTL file: glass if it transmits (illum 4, 6, 7, 9 or d < 1 with Ni), a mirror for illum 3 and
-    /// 5, otherwise Phong or Lambert.
-    fn convert(&mut self, described: &crate::shapes::mesh::MtlMaterial) -> Result<Material> {
+    /// A material of an MTL file: glass where `illum` is 4, 6, 7 or 9, a mirror for 3, 5 and 8, otherwise Phong if it
+    /// has a highlight, or else Lambert. A missing colour is white, as in the format's description.
+    fn convert(&mut self, described: &ObjMaterial) -> Result<Material> {
+        let specular = described.specular.unwrap_or(Vec3::ZERO);
+        match described.illumination {
+            Some(4 | 6 | 7 | 9) => {
+                let index = described.index_of_refraction.map_or(1.5, f64::from);
+                return Ok(Material::Glass { index, absorption: Vec3::ZERO });
+            }
+            Some(3 | 5 | 8) => {
+                let colour = ColourSource::Uniform(described.specular.unwrap_or(Vec3::ONE));
+                return Ok(Material::Mirror { colour });
+            }
+            _ => {}
+        }
         let diffuse = match &described.diffuse_map {
             Some(path) => ColourSource::Image(ImageTexture {
                 texture: self.textures.load(path.clone(), Filter::Bilinear)?,
                 repeat: DVec2::ONE,
             }),
-            None => ColourSource::Uniform(described.diffuse),
+            None => ColourSource::Uniform(described.diffuse.unwrap_or(Vec3::ONE)),
         };
-        Ok(match described.illumination_model {
-            Some(4 | 6 | 7 | 9) => Material::Glass {
-                index: described.index_of_refraction.unwrap_or(1.5),
-                absorption: crate::math::Vec3::ZERO,
-            },
-            Some(3 | 5 | 8) => Material::Mirror { colour: ColourSource::Uniform(described.specular) },
-            _ if described.specular.max_element() > 0.0 && described.illumination_model != Some(1) => {
-                Material::Phong { diffuse, specular: described.specular, exponent: described.shininess }
-            }
-            _ => Material::Lambert { colour: diffuse },
-        })
+        if specular == Vec3::ZERO || described.illumination == Some(1) {
+            return Ok(Material::Lambert { colour: diffuse });
+        }
+        Ok(Material::Phong { diffuse, specular, exponent: described.shininess.unwrap_or(32.0) })
     }
 }
 

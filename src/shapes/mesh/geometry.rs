@@ -58,7 +58,7 @@ impl MeshGeometry {
     }
 
     fn check_vertices(&self) -> Result<()> {
-        let too_large = |position: &Vec3| !(position.abs().max_element() <= LARGEST_COORDINATE) || position.is_nan();
+        let too_large = |position: &Vec3| position.is_nan() || position.abs().max_element() > LARGEST_COORDINATE;
         if let Some(vertex) = self.positions.iter().position(too_large) {
             return Err(Error::new(format!("vertex {vertex} is at {}", self.positions[vertex]))
                 .expected(format!("finite coordinates of at most {LARGEST_COORDINATE:e}")));
