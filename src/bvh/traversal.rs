@@ -95,7 +95,8 @@ impl Stack {
             self.height -= 1;
             let entry = self.entries[self.height];
             // Written so that NaN, which tells nothing, is looked at.
-            if !(entry.enter() > limit) {
+            let enter = entry.enter();
+            if enter <= limit || enter.is_nan() {
                 return Some(entry.child());
             }
         }

@@ -1,0 +1,188 @@
+//! The eight ways to lay a square picture.
+//!
+//! A laying is named by the texture coordinates it reads, (u', v') as functions of those the lookup computes: one of
+//! `u`, `1-u` and one of `v`, `1-v`, in either order. Mending the code computes (u', v') instead of (u, v); mending
+//! the file applies the picture operation of the same effect once.
+
+use super::axis::SignedAxis;
+use super::lookup::{FaceLookup, VOrigin};
+
+/// One of the eight layings: a symmetry of the square.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Laying {
+    /// u' is made of v, and v' of u.
+    pub swaps: bool,
+    /// u' counts from the other end: `1 - u` or `1 - v`.
+    pub inverts_u: bool,
+    /// v' counts from the other end.
+    pub inverts_v: bool,
+}
+
+/// What a picture operation does to a file, as image programs call it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ImageOperation {
+    None,
+    FlipLeftRight,
+    FlipTopBottom,
+    Turn180,
+    TurnClockwise,
+    TurnCounterclockwise,
+    /// Mirror about the diagonal from the top left to the bottom right.
+    Transpose,
+    /// Mirror about the diagonal from the top right to the bottom left.
+    Transverse,
+}
+
+impl Laying {
+    /// The picture as the lookup reads it.
+    pub const IDENTITY: Self = Self { swaps: false, inverts_u: false, inverts_v: false };
+
+    /// All eight, the simplest first: unchanged, flips, half turn, quarter turns, diagonal mirrors.
+    pub const ALL: [Self; 8] = [
+        Self::IDENTITY,
+        Self { swaps: false, inverts_u: true, inverts_v: false },
+        Self { swaps: false, inverts_u: false, inverts_v: true },
+        Self { swaps: false, inverts_u: true, inverts_v: true },
+        Self { swaps: true, inverts_u: true, inverts_v: false },
+        Self { swaps: true, inverts_u: false, inverts_v: true },
+        Self { swaps: true, inverts_u: false, inverts_v: false },
+        Self { swaps: true, inverts_u: true, inverts_v: true },
+    ];
+
+    /// (u', v') for (u, v).
+    pub fn apply(self, u: f32, v: f32) -> (f32, f32) {
+        let (first, second) = if self.swaps { (v, u) } else { (u, v) };
+        let turned = |coordinate: f32, inverts: bool| if inverts { 1.0 - coordinate } else { coordinate };
+        (turned(first, self.inverts_u), turned(second, self.inverts_v))
+    }
+
+    /// u' and v' as formulas of u and v: `("1-u", "v")`.
+    pub fn formulas(self) -> (&'static str, &'static str) {
+        let (first, second) = if self.swaps { (["v", "1-v"], ["u", "1-u"]) } else { (["u", "1-u"], ["v", "1-v"]) };
+        (first[usize::from(self.inverts_u)], second[usize::from(self.inverts_v)])
+    }
+
+    /// The laying that does `self` to what `first` yields: `then.after(first).apply(p) = then.apply(first.apply(p))`.
+    pub fn after(self, first: Self) -> Self {
+        let (first_u, first_v) =
+            if self.swaps { (first.inverts_v, first.inverts_u) } else { (first.inverts_u, first.inverts_v) };
+        Self {
+            swaps: self.swaps != first.swaps,
+            inverts_u: first_u != self.inverts_u,
+            inverts_v: first_v != self.inverts_v,
+        }
+    }
+
+    /// The laying that undoes this one.
+    pub fn inverse(self) -> Self {
+        Self::ALL.into_iter().find(|other| other.after(self) == Self::IDENTITY).expect("the layings form a group")
+    }
+
+    /// The row of a lookup that computes (u', v') where `row` computes (u, v).
+    pub fn of_row(self, row: FaceLookup) -> FaceLookup {
+        let (first, second) = if self.swaps { (row.v, row.u) } else { (row.u, row.v) };
+        let turned = |axis: SignedAxis, inverts: bool| if inverts { -axis } else { axis };
+        FaceLookup { image: row.image, u: turned(first, self.inverts_u), v: turned(second, self.inverts_v) }
+    }
+
+    /// The operation on the file with the same effect: the new picture holds at (u, v) what the old one held at
+    /// (u', v').
+    pub fn image_operation(self, v_origin: VOrigin) -> ImageOperation {
+        // Seen on the screen, with rows counted from the top: for v = 0 at the bottom both v and v' are turned over.
+        let inverts_v = self.inverts_v ^ (self.swaps && v_origin == VOrigin::Bottom);
+        let inverts_u = self.inverts_u ^ (self.swaps && v_origin == VOrigin::Bottom);
+        match (self.swaps, inverts_u, inverts_v) {
+            (false, false, false) => ImageOperation::None,
+            (false, true, false) => ImageOperation::FlipLeftRight,
+            (false, false, true) => ImageOperation::FlipTopBottom,
+            (false, true, true) => ImageOperation::Turn180,
+            (true, false, false) => ImageOperation::Transpose,
+            (true, true, true) => ImageOperation::Transverse,
+            // new(x, y) = old(y, 1 - x): the left column becomes the top row, read upwards.
+            (true, false, true) => ImageOperation::TurnClockwise,
+            (true, true, false) => ImageOperation::TurnCounterclockwise,
+        }
+    }
+}
+
+impl ImageOperation {
+    /// The operation in words: `turn 90° clockwise`.
+    pub fn name(self) -> &'static str {
+        match self {
+            ImageOperation::None => "none",
+            ImageOperation::FlipLeftRight => "flip left-right",
+            ImageOperation::FlipTopBottom => "flip top-bottom",
+            ImageOperation::Turn180 => "turn 180°",
+            ImageOperation::TurnClockwise => "turn 90° clockwise",
+            ImageOperation::TurnCounterclockwise => "turn 90° counterclockwise",
+            ImageOperation::Transpose => "mirror about the diagonal from top left to bottom right",
+            ImageOperation::Transverse => "mirror about the diagonal from top right to bottom left",
+        }
+    }
+
+    /// Where the new picture of side `size` takes the pixel in column `x` and row `y` (from the top) from.
+    pub fn source(self, x: usize, y: usize, size: usize) -> (usize, usize) {
+        let last = size - 1;
+        match self {
+            ImageOperation::None => (x, y),
+            ImageOperation::FlipLeftRight => (last - x, y),
+            ImageOperation::FlipTopBottom => (x, last - y),
+            ImageOperation::Turn180 => (last - x, last - y),
+            ImageOperation::TurnClockwise => (y, last - x),
+            ImageOperation::TurnCounterclockwise => (last - y, x),
+            ImageOperation::Transpose => (y, x),
+            ImageOperation::Transverse => (last - y, last - x),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn composition_is_application_one_after_the_other() {
+        for first in Laying::ALL {
+            for then in Laying::ALL {
+                let (u, v) = first.apply(0.25, 0.625);
+                assert_eq!(then.after(first).apply(0.25, 0.625), then.apply(u, v), "{first:?} {then:?}");
+            }
+            assert_eq!(first.inverse().after(first), Laying::IDENTITY);
+        }
+    }
+
+    #[test]
+    fn a_clockwise_turn_brings_the_left_column_to_the_top() {
+        // Size 2, old picture "ab / cd": turned clockwise it is "ca / db".
+        let old = [["a", "b"], ["c", "d"]];
+        let at = |x: usize, y: usize| {
+            let (x, y) = ImageOperation::TurnClockwise.source(x, y, 2);
+            old[y][x]
+        };
+        assert_eq!([[at(0, 0), at(1, 0)], [at(0, 1), at(1, 1)]], [["c", "a"], ["d", "b"]]);
+    }
+
+    #[test]
+    fn the_operation_on_the_file_does_what_the_code_would() {
+        let size = 5;
+        for laying in Laying::ALL {
+            for v_origin in [VOrigin::Top, VOrigin::Bottom] {
+                let operation = laying.image_operation(v_origin);
+                for (x, y) in (0..size).flat_map(|x| (0..size).map(move |y| (x, y))) {
+                    let centre = |index: usize| (index as f32 + 0.5) / size as f32;
+                    let row = |v: f32| if v_origin == VOrigin::Top { v } else { 1.0 - v };
+                    let (u, v) = laying.apply(centre(x), row(centre(y)));
+                    let expected = ((u * size as f32) as usize, (row(v) * size as f32) as usize);
+                    assert_eq!(operation.source(x, y, size), expected, "{laying:?} {v_origin:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn rows_of_a_lookup_compute_the_new_coordinates() {
+        let row = FaceLookup { image: super::super::Face::PosX, u: SignedAxis::NEG_Z, v: SignedAxis::NEG_Y };
+        let laid = Laying { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
+        assert_eq!((laid.u, laid.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
+    }
+}
