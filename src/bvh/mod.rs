@@ -17,3 +17,6 @@ pub use float_box::FloatBox;
 pub use hierarchy::{Hierarchy, LEAF_CAPACITY};
 pub use slabs::HierarchyRay;
 pub use traversal::Visit;
+
+#[cfg(test)]
+mod tests;

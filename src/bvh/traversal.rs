@@ -95,6 +95,7 @@ impl Stack {
             self.height -= 1;
             let entry = self.entries[self.height];
             // Written so that NaN, which tells nothing, is looked at.
+            #[allow(clippy::neg_cmp_op_on_partial_ord)]
             if !(entry.enter() > limit) {
                 return Some(entry.child());
             }
