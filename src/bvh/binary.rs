@@ -12,8 +12,7 @@ use crate::math::Vec3;
 /// Share of the nodes that the optimiser tries to move to a better place.
 const REINSERTED: f32 = 0.05;
 
-/// The same once leaves are made; the tree is smaller then. Half of it costs half a second for a million triangles
-/// and makes incoherent rays an eighth faster.
+/// The same once leaves are made: a slower build for somewhat faster incoherent rays.
 const REINSERTED_AFTER: f32 = 0.5;
 
 /// Cost of testing a node, in tests of a leaf's primitive: large, because a leaf is tested as a whole.
