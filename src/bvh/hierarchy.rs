@@ -49,7 +49,7 @@ impl Hierarchy {
     }
 
     /// Merges a binary tree to nodes of four; `None` if the result is deeper than [`DEPTH_LIMIT`].
-    fn merged(tree: BinaryTree) -> Option<Self> {
+    pub(super) fn merged(tree: BinaryTree) -> Option<Self> {
         if tree.depth() > BINARY_DEPTH_LIMIT {
             return None;
         }

@@ -4,7 +4,9 @@
 //! looks at what is inside them. It never passes over a leaf whose box the ray touches, whatever the rounding.
 //!
 //! The binary tree comes from the crate `obvhs`; its nodes are then merged to four children each, whose boxes one
-//! sequence of four-wide instructions tests at once.
+//! sequence of four-wide instructions tests at once. Measured side by side on a busy machine, in million rays per
+//! second of processor time of one thread, a million triangles, camera rays / random rays from inside: this layout
+//! 2.57 / 0.62, `obvhs` as it comes 1.88 / 0.42 (`Bvh2`) and 1.61 / 0.65 (`CwBvh`).
 
 mod binary;
 mod float_box;
@@ -17,3 +19,6 @@ pub use float_box::FloatBox;
 pub use hierarchy::{Hierarchy, LEAF_CAPACITY};
 pub use slabs::HierarchyRay;
 pub use traversal::Visit;
+
+#[cfg(test)]
+mod tests;

@@ -95,8 +95,8 @@ impl Stack {
             self.height -= 1;
             let entry = self.entries[self.height];
             // Written so that NaN, which tells nothing, is looked at.
-            let enter = entry.enter();
-            if enter <= limit || enter.is_nan() {
+            #[allow(clippy::neg_cmp_op_on_partial_ord)]
+            if !(entry.enter() > limit) {
                 return Some(entry.child());
             }
         }

@@ -73,7 +73,7 @@ fn names_the_line_that_is_wrong() {
     "#);
     insta::assert_snapshot!(face("f 1/1 2/1 3/1"), @r#"
     o.obj:4: the corner "1/1" has texture coordinate 1
-      expected: 1 to 0, or -1 to -0: so many are defined before this line
+      expected: none: no such line comes before it
     "#);
     insta::assert_snapshot!(face("f 1 two 3"), @r#"
     o.obj:4: found the corner "two"

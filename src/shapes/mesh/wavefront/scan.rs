@@ -83,9 +83,17 @@ fn check_corner(corner: &str, counts: &Counts) -> Result<()> {
         let index: i64 = part.parse().map_err(|_| malformed())?;
         let count = counts[kind] as i64;
         if index == 0 || index > count || -index > count {
-            return Err(Error::new(format!("the corner \"{corner}\" has {} {index}", NAMES[kind]))
-                .expected(format!("1 to {count}, or -1 to -{count}: so many are defined before this line")));
+            return Err(
+                Error::new(format!("the corner \"{corner}\" has {} {index}", NAMES[kind])).expected(range(count))
+            );
         }
     }
     Ok(())
+}
+
+fn range(count: i64) -> String {
+    match count {
+        0 => "none: no such line comes before it".to_owned(),
+        _ => format!("1 to {count}, or -1 to -{count}: so many are defined before this line"),
+    }
 }
