@@ -146,7 +146,7 @@ pub fn build_chimney(model: &mut Model, foot: Vec3, height: f32, facade: &str) {
 /// Fallen leaves on the paving, thickest under the tree.
 pub fn build_litter(model: &mut Model, count: usize, random: &mut Random) {
     for _ in 0..count {
-        let spread = 4.5 * random.in_ball();
+        let spread = 5.5 * random.in_ball();
         let place = Vec3::new(-3.4 + spread.x, 0.045, -3.2 + spread.z);
         add_leaf(
             model,

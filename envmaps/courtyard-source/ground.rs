@@ -52,8 +52,8 @@ fn add_cobble(model: &mut Model, middle: Vec3, half: Vec2, random: &mut Random) 
     let patch = fractal(Vec3::new(0.7 * middle.x, 0.0, 0.7 * middle.z), 3, 61);
     let near_wall = (middle.x - YARD[0].x).min(YARD[1].x - middle.x).min(middle.z - YARD[0].y);
     let damp = 0.72 + 0.28 * smoothstep(0.0, 1.1, near_wall + 0.5 * patch);
-    let variant = if near_wall < 0.5 && random.unit() < 0.4 { 9 } else { random.index(9) };
-    let shade = (damp * (0.84 + 0.14 * patch) + random.range(-0.08, 0.08)).clamp(0.2, 1.0);
+    let variant = if near_wall < 0.5 && random.unit() < 0.4 { 9 } else { pattern(middle, random) };
+    let shade = (damp * (0.86 + 0.24 * patch) + random.range(-0.1, 0.08)).clamp(0.2, 1.0);
     let mesh = model.mesh("stone");
     let top =
         mesh.vertex(middle + Vec3::Y * height, Vec3::new(-tilt.x, 1.0, -tilt.y).normalize(), STONE.at(variant, shade));
@@ -86,6 +86,22 @@ fn add_cobble(model: &mut Model, middle: Vec3, half: Vec2, random: &mut Random) 
             }
         }
         before = Some(ring);
+    }
+}
+
+/// Colour of a stone: two pale rings round a rosette, a pale gutter across the yard, all others mixed.
+fn pattern(place: Vec3, random: &mut Random) -> usize {
+    const PALE: [usize; 3] = [2, 7, 2];
+    const DARK: [usize; 3] = [3, 6, 5];
+    let ring = Vec2::new(place.x - 0.55, place.z + 0.35).length();
+    let gutter = (0.8 * place.x + 0.6 * place.z - 2.7).abs() < 0.14 && ring > 1.6;
+    let choice = random.index(3);
+    if (1.35..1.55).contains(&ring) || (0.5..0.66).contains(&ring) || gutter {
+        PALE[choice]
+    } else if ring < 1.35 && random.unit() < 0.9 {
+        DARK[choice]
+    } else {
+        random.index(9)
     }
 }
 

@@ -40,21 +40,21 @@ fn add_cirrus(colour: Vec3, direction: Vec3, height: f32) -> Vec3 {
     let streak = Vec3::new(0.7 * plane.x + 0.5 * plane.z, 3.0, 2.6 * plane.z - 1.9 * plane.x);
     let bend = Vec3::new(0.0, 0.0, 0.8 * fractal(0.9 * plane, 3, 71));
     let density = smoothstep(0.0, 0.9, fractal(1.3 * streak + bend, 6, 60) + 0.3 * fractal(0.5 * plane, 2, 77));
-    colour.lerp(Vec3::new(0.86, 0.90, 0.96), 0.55 * density * smoothstep(0.0, 0.25, height))
+    colour.lerp(Vec3::new(0.86, 0.90, 0.96), 0.42 * density * smoothstep(0.0, 0.25, height))
 }
 
 /// Heaped clouds in a layer seen in perspective, lit from the sun's side, grey below.
 fn add_cumulus(colour: Vec3, direction: Vec3, height: f32, towards_sun: f32) -> Vec3 {
     let layer = direction / (height + 0.16);
     let density = cumulus_density(layer);
-    let cover = smoothstep(0.02, 0.34, density);
+    let cover = smoothstep(0.05, 0.26, density);
     if cover <= 0.0 {
         return colour;
     }
-    let sunward = 0.14 * Vec3::new(SUN.x, 0.0, SUN.z);
+    let sunward = 0.10 * Vec3::new(SUN.x, 0.0, SUN.z);
     let thickness = smoothstep(0.05, 0.9, density);
-    let relief = 1.6 * (density - cumulus_density(layer + sunward));
-    let light = (0.80 - 0.42 * thickness + relief + 0.12 * towards_sun).clamp(0.22, 1.0);
+    let relief = 2.2 * (density - cumulus_density(layer + sunward));
+    let light = (0.74 - 0.46 * thickness + relief + 0.12 * towards_sun).clamp(0.22, 1.0);
     let cloud = Vec3::new(0.36, 0.42, 0.53).lerp(Vec3::new(0.99, 0.97, 0.94), light);
     // Far clouds fade into the haze.
     let near = smoothstep(-0.02, 0.2, height);
@@ -65,6 +65,6 @@ fn cumulus_density(layer: Vec3) -> f32 {
     let layer = Vec3::new(layer.x, 0.0, layer.z);
     let warp = 0.35 * Vec3::new(fractal(1.1 * layer, 3, 11), 0.0, fractal(1.1 * layer + Vec3::splat(9.0), 3, 12));
     let large = fractal(0.55 * layer + Vec3::new(3.1, 0.0, 1.7), 2, 21);
-    let heaps = fractal(1.5 * (layer + warp) + Vec3::new(0.4, 1.0, 5.2), 7, 31);
-    0.75 * heaps + 0.55 * large - 0.12
+    let heaps = fractal(2.3 * (layer + warp) + Vec3::new(0.4, 1.0, 5.2), 7, 31);
+    0.85 * heaps + 0.5 * large + 0.02
 }

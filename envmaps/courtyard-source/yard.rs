@@ -131,7 +131,7 @@ pub fn yard() -> Model {
         build_tuft(&mut model, joint, &mut random);
     }
     build_grass(&mut model, YARD[0], Vec2::new(-0.5, 6.0), 190_000, lawn, &mut random);
-    build_litter(&mut model, 420, &mut random);
+    build_litter(&mut model, 1400, &mut random);
     let tree = Tree { foot: Vec3::new(-4.3, 0.0, -4.1), height: 6.2, levels: 5, leaf: 0.075, leaves: 26, tint: 0 };
     build_tree(&mut model, &tree, &mut random);
     build_ivy(&mut model, Vec3::new(-7.2, 0.0, 2.0), -Vec3::Z, Vec2::new(6.0, 1.9), 16_000, &mut random);
