@@ -2,9 +2,8 @@
 
 use std::path::PathBuf;
 
-use image::ColorType;
 use skycube::envmap::Face;
-use skycube::picture::Texels;
+use skycube::picture::{Samples, Texels, write_png};
 use skycube::report::draw_compass_face;
 
 const SIZE: usize = 512;
@@ -16,7 +15,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let picture = draw_compass_face(face, SIZE);
         let Texels::Srgb8(bytes) = picture.texels() else { unreachable!("the compass has 8 bits a channel") };
         let path = folder.join(face.name()).with_extension("png");
-        image::save_buffer(&path, bytes, SIZE as u32, SIZE as u32, ColorType::Rgb8)?;
+        write_png(&path, SIZE, SIZE, Samples::Rgb8(bytes))?;
     }
     println!("wrote six faces to {}", folder.display());
     Ok(())

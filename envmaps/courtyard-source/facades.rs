@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use skycube::error::Result;
 use skycube::math::{Vec2, Vec3};
 use skycube::report::{Anchor, text_path};
 
@@ -36,7 +37,7 @@ pub struct Facade {
 }
 
 impl Facade {
-    pub fn write(&self, folder: &Path) -> image::ImageResult<()> {
+    pub fn write(&self, folder: &Path) -> Result<()> {
         let texels = self.size * DENSITY;
         write_picture(&folder.join(self.name).with_extension("png"), texels.x as usize, texels.y as usize, |x, y| {
             self.colour(Vec2::new(x / DENSITY, self.size.y - y / DENSITY))
@@ -128,7 +129,7 @@ impl Facade {
 }
 
 /// The sign board: letters on painted wood. Read the wrong way round, the map is mirrored.
-pub fn write_sign(folder: &Path) -> image::ImageResult<()> {
+pub fn write_sign(folder: &Path) -> Result<()> {
     const WIDTH: u32 = 768;
     const HEIGHT: u32 = 160;
     let mut letters = tiny_skia::Mask::new(WIDTH, HEIGHT).expect("a sign has texels");

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use skycube::error::Result;
 use skycube::math::functions::{exponential, sin_cos_degrees};
 use skycube::math::{Vec2, Vec3};
 
@@ -113,7 +114,7 @@ pub fn build_soil(model: &mut Model) {
     model.mesh("soil").quad(corners.map(|(x, z)| Vec3::new(x, 0.0, z)), texture.map(|(u, v)| Vec2::new(u, v)));
 }
 
-pub fn write_soil(folder: &Path) -> image::ImageResult<()> {
+pub fn write_soil(folder: &Path) -> Result<()> {
     const SIZE: usize = 1536;
     write_picture(&folder.join("soil.png"), SIZE, SIZE, |x, y| {
         let place = YARD[0] + (YARD[1] - YARD[0]) * Vec2::new(x, y) / SIZE as f32;
@@ -170,7 +171,7 @@ pub fn build_land(model: &mut Model) {
 }
 
 /// Meadows, fields, woods; far ones pale with air.
-pub fn write_land(folder: &Path) -> image::ImageResult<()> {
+pub fn write_land(folder: &Path) -> Result<()> {
     let (width, height) = (4096, 1024);
     write_picture(&folder.join("land.png"), width, height, |x, y| {
         let radius = ring_radius(1.0 - y / height as f32);

@@ -4,15 +4,12 @@ use std::path::Path;
 
 use rayon::prelude::*;
 use skycube::colour::encode_srgb;
+use skycube::error::Result;
 use skycube::math::{Vec2, Vec3};
+use skycube::picture::{Samples, write_png};
 
 /// Writes a picture whose linear colour is a function of column and row.
-pub fn write_picture(
-    file: &Path,
-    width: usize,
-    height: usize,
-    colour: impl Fn(f32, f32) -> Vec3 + Sync,
-) -> image::ImageResult<()> {
+pub fn write_picture(file: &Path, width: usize, height: usize, colour: impl Fn(f32, f32) -> Vec3 + Sync) -> Result<()> {
     let row = |y: usize| {
         let colour = &colour;
         (0..width).flat_map(move |x| {
@@ -20,7 +17,7 @@ pub fn write_picture(
         })
     };
     let bytes: Vec<u8> = (0..height).into_par_iter().flat_map_iter(row).collect();
-    image::save_buffer(file, &bytes, width as u32, height as u32, image::ColorType::Rgb8)
+    write_png(file, width, height, Samples::Rgb8(&bytes))
 }
 
 /// Colours of a material in variants: u picks the variant, v the light that reaches it (0 dark, 1 open).
@@ -36,7 +33,7 @@ impl Palette {
         Vec2::new(((variant % count) as f32 + 0.5) / count as f32, light.clamp(0.02, 0.98))
     }
 
-    pub fn write(&self, folder: &Path) -> image::ImageResult<()> {
+    pub fn write(&self, folder: &Path) -> Result<()> {
         const BLOCK: usize = 8;
         const ROWS: usize = 64;
         write_picture(&folder.join(self.name).with_extension("png"), BLOCK * self.colours.len(), ROWS, |x, y| {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use skycube::error::Result;
 use skycube::math::Vec3;
 use skycube::math::functions::{cos, exponential, sin};
 
@@ -12,7 +13,7 @@ use crate::paint::write_picture;
 pub const SUN: Vec3 = Vec3::new(0.56, 0.72, 0.41);
 
 /// Writes `sky.png`. The middle column looks along -z, the columns to its right turn towards +x; up (+y) is the top.
-pub fn write_sky(folder: &Path, width: usize) -> image::ImageResult<()> {
+pub fn write_sky(folder: &Path, width: usize) -> Result<()> {
     let height = width / 2;
     write_picture(&folder.join("sky.png"), width, height, |x, y| {
         let azimuth = f64::from(x / width as f32 - 0.5) * std::f64::consts::TAU;

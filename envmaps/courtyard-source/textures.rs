@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use skycube::error::Result;
 use skycube::math::Vec3;
 
 use crate::facades::write_sign;
@@ -11,7 +12,7 @@ use crate::paint::{PALETTES, srgb, write_picture};
 use crate::sky::write_sky;
 use crate::yard::facades;
 
-pub fn write(folder: &Path) -> image::ImageResult<()> {
+pub fn write(folder: &Path) -> Result<()> {
     for palette in &PALETTES {
         palette.write(folder)?;
     }
@@ -27,7 +28,7 @@ pub fn write(folder: &Path) -> image::ImageResult<()> {
 }
 
 /// Bark: ridges along the branch (v).
-fn write_bark(folder: &Path) -> image::ImageResult<()> {
+fn write_bark(folder: &Path) -> Result<()> {
     write_picture(&folder.join("bark.png"), 512, 512, |x, y| {
         let ridges = fractal(Vec3::new(0.09 * x, 0.0, 0.012 * y), 5, 111);
         srgb([104, 88, 70]).lerp(srgb([58, 48, 40]), 0.5 - 0.7 * ridges)
@@ -35,7 +36,7 @@ fn write_bark(folder: &Path) -> image::ImageResult<()> {
 }
 
 /// Window glass as it looks in daylight: a dark room behind, a curtain, a faint picture of the sky.
-fn write_pane(folder: &Path) -> image::ImageResult<()> {
+fn write_pane(folder: &Path) -> Result<()> {
     write_picture(&folder.join("pane.png"), 512, 512, |x, y| {
         let (u, v) = (x / 512.0, 1.0 - y / 512.0);
         let cloud = fractal(Vec3::new(3.0 * u, 0.0, 3.0 * v), 5, 121);

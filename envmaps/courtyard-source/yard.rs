@@ -78,9 +78,9 @@ pub fn buildings() -> Model {
 }
 
 fn build_roofs(model: &mut Model, random: &mut Random) {
-    build_roof(model, Vec3::new(-6.9, 5.2, -8.5), Vec3::X * 10.3, Vec3::new(0.0, 2.7, -3.4), random);
-    build_roof(model, Vec3::new(7.5, 6.0, -8.9), Vec3::Z * 11.8, Vec3::new(3.2, 2.6, 0.0), random);
-    build_roof(model, Vec3::new(5.9, 2.85, 6.05), Vec3::X * -8.8, Vec3::new(0.0, 1.5, 2.7), random);
+    build_roof(model, Vec3::new(-6.9, 4.98, -8.5), Vec3::X * 10.3, Vec3::new(0.0, 2.7, -3.4), random);
+    build_roof(model, Vec3::new(7.5, 5.76, -8.9), Vec3::Z * 11.8, Vec3::new(3.2, 2.6, 0.0), random);
+    build_roof(model, Vec3::new(5.9, 2.72, 6.05), Vec3::X * -8.8, Vec3::new(0.0, 1.5, 2.7), random);
 }
 
 /// Merlons along the two visible sides of the tower.
