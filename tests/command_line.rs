@@ -1,0 +1,108 @@
+//! The program as its user runs it: exit codes, messages, files.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+const LESSON: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/environment-with.toml");
+
+fn skycube(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
+
+/// The file names in a folder, sorted.
+fn files(folder: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+#[test]
+fn render_writes_a_picture_and_says_what_it_did() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = skycube(folder.path(), &["render", LESSON, "--size", "48x30", "--samples", "1"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert_eq!(files(folder.path()), ["environment-with.png"]);
+    let report = text(&output.stdout);
+    assert!(report.starts_with("wrote environment-with.png: 48 x 30 pixels, 1 sample each, whitted\n"), "{report}");
+    for part in ["time  ", "rays  ", "camera 1 440", "left out\n"] {
+        assert!(report.contains(part), "{report}");
+    }
+    assert!(output.stderr.is_empty(), "no progress bar without a terminal");
+}
+
+#[test]
+fn the_report_for_machines_is_json() {
+    let folder = tempfile::tempdir().unwrap();
+    let output =
+        skycube(folder.path(), &["render", LESSON, "--size", "8x5", "--samples", "1", "-o", "a.exr", "--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((report["picture"].as_str(), report["rays"]["camera"].as_u64()), (Some("a.exr"), Some(40)));
+}
+
+#[test]
+fn all_output_formats_are_written() {
+    let folder = tempfile::tempdir().unwrap();
+    for name in ["a.png", "a.jpg", "a.hdr", "a.exr"] {
+        let output = skycube(folder.path(), &["render", LESSON, "--size", "8x5", "--samples", "1", "-o", name]);
+        assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+        assert_eq!(skycube::picture::read(&folder.path().join(name)).unwrap().width(), 8);
+    }
+}
+
+#[test]
+fn what_cannot_run_exits_with_2_and_writes_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("broken.toml"), "[camera]\nposition = 1\n").unwrap();
+    for (arguments, message) in [
+        (vec!["render", "nowhere.toml"], "error: nowhere.toml: cannot read the file"),
+        (vec!["render", "broken.toml"], "error: broken.toml:2: camera.position: found 1"),
+        (vec!["render", LESSON, "-o", "picture.gif"], "error: picture.gif"),
+        (vec!["render", LESSON, "-o", "no/such/folder.png"], "error: no/such"),
+        (vec!["render", LESSON, "--size", "0x5"], "error: invalid value '0x5' for '--size <WxH>'"),
+        (vec!["bake", LESSON, "-o", "faces", "--lookup", "opengle"], "error: there is no lookup \"opengle\""),
+    ] {
+        let output = skycube(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        let complaint = text(&output.stderr);
+        assert!(complaint.starts_with(message), "{complaint}");
+    }
+    assert_eq!(files(folder.path()), ["broken.toml"]);
+}
+
+#[test]
+fn no_source_is_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    let lesson = Path::new(LESSON).parent().unwrap();
+    for name in ["environment-with.toml", "knot.obj"] {
+        std::fs::copy(lesson.join(name), folder.path().join(name)).unwrap();
+    }
+    let map = folder.path().join("map");
+    std::fs::create_dir(&map).unwrap();
+    for name in ["posx", "negx", "posy", "negy", "posz", "negz"] {
+        let face = format!("{name}.png");
+        std::fs::copy(lesson.join("../../envmaps/compass").join(&face), map.join(&face)).unwrap();
+    }
+    let before = std::fs::read(map.join("posx.png")).unwrap();
+    let scene = ["environment-with.toml", "--environment", "map", "--size", "8x5"];
+    let rendered = skycube(folder.path(), &[&["render"], &scene[..], &["-o", "map/posx.png"]].concat());
+    assert_eq!(rendered.status.code(), Some(2));
+    assert!(text(&rendered.stderr).contains("it is not overwritten"), "{}", text(&rendered.stderr));
+    let baked = skycube(folder.path(), &[&["bake"], &scene[..], &["-o", "map", "--face-size", "8"]].concat());
+    assert_eq!(baked.status.code(), Some(2));
+    assert_eq!(std::fs::read(map.join("posx.png")).unwrap(), before);
+}
+
+#[test]
+fn bake_writes_the_six_images() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["bake", LESSON, "-o", "faces", "--face-size", "16", "--samples", "1", "--format", "jpg"];
+    let output = skycube(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let expected = ["negx.jpg", "negy.jpg", "negz.jpg", "posx.jpg", "posy.jpg", "posz.jpg"];
+    assert_eq!(files(&folder.path().join("faces")), expected);
+}
