@@ -28,10 +28,10 @@ impl SignedAxis {
         if self.negative { -1.0 } else { 1.0 }
     }
 
-    /// The component of a vector along this axis.
-    #[inline]
-    pub fn component(self, vector: [f32; 3]) -> f32 {
-        self.sign() * vector[usize::from(self.axis)]
+    /// A number from 0 to 7: the axis, plus 4 if negative.
+    #[inline(always)]
+    pub(super) fn code(self) -> usize {
+        (usize::from(self.axis) + 4 * usize::from(self.negative)) & 7
     }
 
     /// The unit vector along this axis.

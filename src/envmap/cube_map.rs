@@ -64,7 +64,7 @@ impl CubeMap {
     }
 
     /// Linear colour at a place on the cube.
-    #[inline]
+    #[inline(always)]
     pub fn sample_point(&self, point: FacePoint) -> Vec3 {
         let place = self.lookup.image_point(point);
         let Some(picture) = self.images[place.image.index()].picture() else { return Vec3::ZERO };

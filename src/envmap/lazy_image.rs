@@ -28,7 +28,17 @@ impl LazyImage {
     /// The picture; `None` if it cannot be decoded (then [`LazyImage::error`] says why).
     #[inline]
     pub fn picture(&self) -> Option<&Picture> {
-        self.decoded.get_or_init(|| (self.decoder)()).as_ref().ok()
+        match self.decoded.get() {
+            Some(decoded) => decoded.as_ref().ok(),
+            None => self.first_look(),
+        }
+    }
+
+    /// Decodes, or waits for the thread that does.
+    #[cold]
+    #[inline(never)]
+    fn first_look(&self) -> Option<&Picture> {
+        self.try_picture().ok()
     }
 
     /// The picture, or why there is none.

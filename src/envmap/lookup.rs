@@ -13,6 +13,7 @@
 
 use super::axis::SignedAxis;
 use super::face::Face;
+use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
 use crate::picture::Picture;
 
@@ -59,11 +60,22 @@ pub struct ImagePoint {
     pub down: f32,
 }
 
+impl VOrigin {
+    /// Distance from the top border at v = 0, and how it grows with v.
+    #[inline(always)]
+    fn towards_bottom(self) -> (f32, f32) {
+        match self {
+            VOrigin::Top => (0.0, 1.0),
+            VOrigin::Bottom => (1.0, -1.0),
+        }
+    }
+}
+
 impl ImagePoint {
     /// The place in texels from the top left corner; texel centres are at half integers.
     #[inline]
     pub fn texels(&self, picture: &Picture) -> (f32, f32) {
-        (self.right * picture.width() as f32, self.down * picture.height() as f32)
+        (self.right * picture.width() as i32 as f32, self.down * picture.height() as i32 as f32)
     }
 
     /// The picture's colour here, bilinear between texel centres, clamped at the border.
@@ -119,18 +131,21 @@ impl Lookup {
     /// two infinities or zeros.
     #[inline]
     pub fn locate(&self, direction: Vec3) -> FacePoint {
-        let components = direction.to_array();
-        let [x, y, z] = components.map(f32::abs);
-        // The largest component picks the axis; written without branches on the data.
-        let x_wins = x >= y && x >= z;
-        let axis = if x_wins { 0 } else { 2 - usize::from(y >= z) };
-        let face = Face::on_axis(axis, components[axis] >= 0.0);
-        let largest = components[axis].abs();
-        let row = self.faces[face.index()];
-        // `max` before `min` turns NaN into 0, which `clamp` would not.
-        #[expect(clippy::manual_clamp)]
-        let coordinate = |axis: SignedAxis| ((axis.component(components) / largest + 1.0) * 0.5).max(0.0).min(1.0);
-        FacePoint { face, u: coordinate(row.u), v: coordinate(row.v) }
+        let Vec3 { x, y, z } = direction;
+        let (along_x, along_y, along_z) = (x.abs(), y.abs(), z.abs());
+        // Neighbouring rays mostly meet the same face: branches that are predicted right cost less than a table.
+        let (face, largest) = if along_x >= along_y && along_x >= along_z {
+            (if x > 0.0 { Face::PosX } else { Face::NegX }, along_x)
+        } else if along_y >= along_z {
+            (if y > 0.0 { Face::PosY } else { Face::NegY }, along_y)
+        } else {
+            (if z > 0.0 { Face::PosZ } else { Face::NegZ }, along_z)
+        };
+        let components = signed_components(direction);
+        let row = &self.faces[face.index()];
+        let u = components[row.u.code()] / largest;
+        let v = components[row.v.code()] / largest;
+        FacePoint { face, u: unit_interval(u), v: unit_interval(v) }
     }
 
     /// The direction through a place on the cube: the inverse of [`Lookup::locate`], from the same table.
@@ -144,10 +159,9 @@ impl Lookup {
     /// Where in which picture the colour of a place on the cube stands.
     #[inline]
     pub fn image_point(&self, point: FacePoint) -> ImagePoint {
-        let down = match self.v_origin {
-            VOrigin::Top => point.v,
-            VOrigin::Bottom => 1.0 - point.v,
-        };
+        // v or 1 - v, without a branch.
+        let (start, step) = self.v_origin.towards_bottom();
+        let down = start + step * point.v;
         ImagePoint { image: self.faces[point.face.index()].image, right: point.u, down }
     }
 
@@ -175,4 +189,17 @@ impl Lookup {
         };
         row.u.direction().cross(towards_top.direction()).dot(face.normal()) > 0.0
     }
+}
+
+/// The components along +x +y +z, a pad, and along -x -y -z: indexed by [`SignedAxis::code`].
+#[inline(always)]
+fn signed_components(vector: Vec3) -> [f32; 8] {
+    let Vec3 { x, y, z } = vector;
+    [x, y, z, 0.0, -x, -y, -z, 0.0]
+}
+
+/// From `[-1, 1]` to `[0, 1]`; NaN gives 0.
+#[inline(always)]
+fn unit_interval(coordinate: f32) -> f32 {
+    clamp_number((coordinate + 1.0) * 0.5, 0.0, 1.0)
 }

@@ -43,6 +43,15 @@ pub fn logarithm(value: f32) -> f32 {
     libm::logf(value)
 }
 
+/// The nearest value in `[low, high]`; NaN gives `low`.
+///
+/// Compiles to one instruction a side, which `f32::max` and `f32::min` do not, since they treat NaN otherwise.
+#[inline(always)]
+pub fn clamp_number(value: f32, low: f32, high: f32) -> f32 {
+    let above = if value > low { value } else { low };
+    if above < high { above } else { high }
+}
+
 /// Sine and cosine of an angle in degrees, exact at multiples of 90.
 ///
 /// A rotation by 90 degrees then maps axes onto axes exactly, which `sin(pi/2 * k)` does not.
@@ -54,5 +63,19 @@ pub fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
         180.0 => (0.0, -1.0),
         270.0 => (-1.0, 0.0),
         _ => (sin(turn.to_radians()), cos(turn.to_radians())),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn clamping_leaves_a_number_in_range_for_any_input() {
+        for value in [f32::NAN, -f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -0.0, 1e-45, -1e38, 3.0, 7.5] {
+            let clamped = clamp_number(value, 0.0, 7.0);
+            assert!((0.0..=7.0).contains(&clamped), "{value} {clamped}");
+        }
+        assert_eq!((clamp_number(f32::NAN, 0.0, 7.0), clamp_number(3.0, 0.0, 7.0)), (0.0, 3.0));
     }
 }

@@ -3,6 +3,7 @@
 use super::{Picture, Texels};
 use crate::colour::decode_srgb8;
 use crate::math::Vec3;
+use crate::math::functions::clamp_number;
 
 /// The four texels around a point and what each counts.
 ///
@@ -52,8 +53,7 @@ impl Footprint {
     /// of them are 0.
     #[inline(always)]
     pub fn weights(&self) -> [f32; 4] {
-        let (h, v) = (self.horizontal, self.vertical);
-        [(1.0 - h) * (1.0 - v), h * (1.0 - v), (1.0 - h) * v, h * v]
+        weights(self.horizontal, self.vertical)
     }
 
     /// Column, row and weight of the four texels, in the order of [`Footprint::weights`].
@@ -68,23 +68,43 @@ impl Footprint {
         let [a, b, c, d] = self.weighted_texels();
         texel(a.0, a.1) * a.2 + texel(b.0, b.1) * b.2 + texel(c.0, c.1) * c.2 + texel(d.0, d.1) * d.2
     }
+}
 
-    /// The weighted mean of the two texels of the upper and of the lower row.
-    #[inline(always)]
-    fn blend(&self, upper: [Vec3; 2], lower: [Vec3; 2]) -> Vec3 {
-        let [top_left, top_right, bottom_left, bottom_right] = self.weights();
-        upper[0] * top_left + upper[1] * top_right + lower[0] * bottom_left + lower[1] * bottom_right
-    }
+/// What the top left, top right, bottom left and bottom right texels count.
+#[inline(always)]
+fn weights(horizontal: f32, vertical: f32) -> [f32; 4] {
+    let (h, v) = (horizontal, vertical);
+    [(1.0 - h) * (1.0 - v), h * (1.0 - v), (1.0 - h) * v, h * v]
+}
+
+/// The weighted mean of the two texels of the upper and of the lower row.
+#[inline(always)]
+fn blend(weights: [f32; 4], upper: [Vec3; 2], lower: [Vec3; 2]) -> Vec3 {
+    upper[0] * weights[0] + upper[1] * weights[1] + lower[0] * weights[2] + lower[1] * weights[3]
 }
 
 /// The texels before and after a point on one axis of `count` texels, and the share of the second.
 #[inline(always)]
 fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
-    let last = count - 1;
-    // `max` turns NaN into 0.
-    let centred = (position - 0.5).max(0.0).min(last as f32);
-    let first = (centred as i32 as usize).min(last.saturating_sub(1));
-    ([first, (first + 1).min(last)], centred - first as f32)
+    if count == 1 {
+        return ([0, 0], 0.0);
+    }
+    let (first, share) = before(position, count);
+    ([first, first + 1], share)
+}
+
+/// The texel before a point on an axis of at least two texels, and the share of the one after it: half a texel from
+/// the far end the last pair serves, with a share of 1.
+#[inline(always)]
+fn before(position: f32, count: usize) -> (usize, f32) {
+    debug_assert!((2..1 << 30).contains(&count));
+    let last = (count as i32 - 1) as f32;
+    let centred = clamp_number(position - 0.5, 0.0, last);
+    let within = clamp_number(centred, 0.0, last - 1.0);
+    // SAFETY: `clamp_number` yields a number from 0 to last - 1 < 2^30 for any input, NaN included (tested there), so
+    // it fits an i32. The checked conversion would cost as much as all the rest of this function.
+    let first: i32 = unsafe { within.to_int_unchecked() };
+    (first as usize, centred - first as f32)
 }
 
 impl Picture {
@@ -93,30 +113,33 @@ impl Picture {
     #[inline(always)]
     pub fn bilinear(&self, x: f32, y: f32) -> Vec3 {
         let (width, height) = (self.width(), self.height());
-        let footprint = Footprint::new(x, y, width, height);
         if width < 2 || height < 2 {
-            return self.bilinear_in_one_line(&footprint);
+            return self.bilinear_in_one_line(x, y);
         }
+        let (column, horizontal) = before(x, width);
+        let (row, vertical) = before(y, height);
+        let weights = weights(horizontal, vertical);
         // Left and right texel lie side by side in memory: one bounds check a row.
-        let upper = footprint.rows[0] * width + footprint.columns[0];
+        let upper = row * width + column;
         let lower = upper + width;
         match self.texels() {
-            Texels::Srgb8(bytes) => footprint.blend(decoded_pair(bytes, upper), decoded_pair(bytes, lower)),
-            Texels::Linear(colours) => footprint.blend(pair(colours, upper), pair(colours, lower)),
+            Texels::Srgb8(bytes) => blend(weights, decoded_pair(bytes, upper), decoded_pair(bytes, lower)),
+            Texels::Linear(colours) => blend(weights, pair(colours, upper), pair(colours, lower)),
         }
     }
 
     /// A picture one texel wide or high: the texels of a pair are one and the same.
     #[cold]
     #[inline(never)]
-    fn bilinear_in_one_line(&self, footprint: &Footprint) -> Vec3 {
+    fn bilinear_in_one_line(&self, x: f32, y: f32) -> Vec3 {
+        let footprint = Footprint::new(x, y, self.width(), self.height());
         footprint.interpolate(|column, row| self.texel(column, row))
     }
 
     /// The linear colour of the texel that the point `(x, y)` lies in, clamped at the border; NaN counts as 0.
     #[inline]
     pub fn nearest(&self, x: f32, y: f32) -> Vec3 {
-        let index = |position: f32, count: usize| (position.max(0.0) as usize).min(count - 1);
+        let index = |position: f32, count: usize| (position as i32).clamp(0, count as i32 - 1) as usize;
         self.texel(index(x, self.width()), index(y, self.height()))
     }
 }
