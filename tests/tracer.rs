@@ -174,7 +174,7 @@ fn the_plan_leaves_out_what_the_scene_does_not_need() {
     no lights: no direct light, no shadow rays
     no mirror and no glass: no reflected rays
     no environment picture: nothing decoded
-    1 shape (at most 6 with bounds): no hierarchy over them
+    1 shape (at most 4 with bounds): no hierarchy over them
     ");
 
     let mirror = scene(

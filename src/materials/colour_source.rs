@@ -45,8 +45,7 @@ impl ColourSource {
 impl Checker {
     fn at(&self, texture_coordinates: DVec2) -> Vec3 {
         let square = (texture_coordinates * self.repeat).floor();
-        // The sum of two whole numbers is even where both squares are of one kind; exact up to 2^53.
-        if (square.x + square.y).rem_euclid(2.0) == 0.0 { self.even } else { self.odd }
+        if (square.x as i64 ^ square.y as i64) & 1 == 0 { self.even } else { self.odd }
     }
 }
 

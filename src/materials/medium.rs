@@ -17,7 +17,7 @@ pub struct MediumStack {
 
 impl MediumStack {
     /// How many glasses may be nested in one another.
-    pub const CAPACITY: usize = 15;
+    pub const CAPACITY: usize = 7;
 
     /// The innermost glass; `None` in free space.
     #[inline]

@@ -47,6 +47,17 @@ impl Material {
         matches!(self, Material::Glass { absorption, .. } if *absorption != Vec3::ZERO)
     }
 
+    /// True if the colour differs from place to place on a surface.
+    pub fn needs_texture_coordinates(&self) -> bool {
+        let varies = |colour: &ColourSource| !matches!(colour, ColourSource::Uniform(_));
+        match self {
+            Material::TextureCoordinates => true,
+            Material::Lambert { colour } | Material::Mirror { colour } => varies(colour),
+            Material::Phong { diffuse, .. } => varies(diffuse),
+            Material::Normals | Material::Glass { .. } => false,
+        }
+    }
+
     /// True if light sources shade the surface directly.
     pub fn lit_by_sources(&self) -> bool {
         matches!(self, Material::Lambert { .. } | Material::Phong { .. })

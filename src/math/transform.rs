@@ -38,6 +38,17 @@ impl Transform {
         (self.to_object.matrix3.transpose() * normal).normalize()
     }
 
+    /// The factor of the lengths, if it is the same in all directions to the last digits; then spheres stay round.
+    pub fn uniform_scale(&self) -> Option<f64> {
+        let DMat3 { x_axis, y_axis, z_axis } = self.to_world.matrix3;
+        let scale = x_axis.length();
+        let close = |number: f64, wanted: f64| (number - wanted).abs() <= 4.0 * f64::EPSILON * scale * scale;
+        let same_lengths = [y_axis, z_axis].iter().all(|axis| close(axis.length_squared(), scale * scale));
+        let right_angles =
+            [x_axis.dot(y_axis), y_axis.dot(z_axis), z_axis.dot(x_axis)].iter().all(|&dot| close(dot, 0.0));
+        (same_lengths && right_angles).then_some(scale)
+    }
+
     /// True if the map mirrors: a right-handed frame becomes left-handed.
     pub fn mirrors(&self) -> bool {
         self.to_world.matrix3.determinant() < 0.0

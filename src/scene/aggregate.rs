@@ -1,8 +1,11 @@
 //! All shapes of a scene, and the way to find those a ray meets.
 
 use crate::bvh::{FloatBox, Hierarchy, Visit};
-use crate::math::Ray;
+use crate::math::{Ray, SurfaceId};
 use crate::shapes::{Hit, Primitive, Surface};
+
+/// No shape has this number.
+const NONE: u32 = u32::MAX;
 
 /// The shapes of a scene. A handful is tried one after the other; more get a hierarchy of boxes.
 #[derive(Debug)]
@@ -24,7 +27,7 @@ struct BoxedShapes {
 impl Aggregate {
     /// Up to this many bounded shapes are tried one by one: below it the hierarchy costs more than it saves
     /// (measured by the benchmark `scenes`).
-    pub const HANDFUL: usize = 6;
+    pub const HANDFUL: usize = 4;
 
     /// Builds what the count of shapes asks for.
     pub fn new(primitives: Vec<Primitive>) -> Self {
@@ -57,28 +60,25 @@ impl Aggregate {
     /// The nearest hit of the ray.
     #[inline]
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let mut nearest: Option<Hit> = None;
-        let mut limit = f64::INFINITY;
-        let mut attempt = |shape: u32, limit: &mut f64| {
-            if let Some(hit) = self.primitives[shape as usize].intersect(ray, shape, *limit) {
-                *limit = hit.t;
-                nearest = Some(hit);
-            }
-        };
+        let mut nearest = Hit { t: f64::INFINITY, id: SurfaceId { shape: NONE, part: 0 }, barycentric: [0.0; 3] };
         for &shape in &self.listed {
-            attempt(shape, &mut limit);
+            self.primitives[shape as usize].find_nearer(ray, shape, &mut nearest);
         }
-        if let Some(boxed) = &self.hierarchy
-            && let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction)
-        {
-            boxed.hierarchy.traverse(&walk, limit, |leaf| {
-                for &index in boxed.hierarchy.leaf(leaf) {
-                    attempt(boxed.shapes[index as usize], &mut limit);
-                }
-                Visit::Closer(limit)
-            });
+        if let Some(boxed) = &self.hierarchy {
+            self.intersect_boxed(boxed, ray, &mut nearest);
         }
-        nearest
+        (nearest.id.shape != NONE).then_some(nearest)
+    }
+
+    fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, nearest: &mut Hit) {
+        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return };
+        boxed.hierarchy.traverse(&walk, nearest.t, |leaf| {
+            for &index in boxed.hierarchy.leaf(leaf) {
+                let shape = boxed.shapes[index as usize];
+                self.primitives[shape as usize].find_nearer(ray, shape, nearest);
+            }
+            Visit::Closer(nearest.t)
+        });
     }
 
     /// True if something that casts shadows is met within `limit`.

@@ -72,6 +72,10 @@ impl Scene {
             primitives.push(shapes.read(table)?);
         }
         let materials = std::mem::take(&mut shapes.materials);
+        for primitive in &mut primitives {
+            let needed = |number: u32| materials[number as usize].needs_texture_coordinates();
+            primitive.textured = primitive.material.numbers().iter().any(|&number| needed(number));
+        }
         let mut sources = vec![file.to_path_buf()];
         sources.extend(shapes.meshes.keys().cloned());
         sources.extend(textures.files().cloned());

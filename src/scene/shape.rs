@@ -79,7 +79,7 @@ impl<'a> ShapeReader<'a> {
         let material = self.read_material(&mut table, own_materials)?;
         let casts_shadow = table.optional("casts_shadow").map_or(Ok(true), |value| value.boolean())?;
         table.finish()?;
-        Ok(Primitive { geometry, transform, material, casts_shadow })
+        Ok(Primitive::new(geometry, transform, material, casts_shadow))
     }
 
     fn read_material(&self, table: &mut Table, own: Option<Arc<[u32]>>) -> Result<MaterialChoice> {

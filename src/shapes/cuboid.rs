@@ -35,6 +35,14 @@ pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Op
     ((hit.0 > 0.0 || inside) && hit.0 < limit).then_some(hit)
 }
 
+/// The point moved onto a face and into its square.
+pub(super) fn onto_face(point: DVec3, face: u32) -> DVec3 {
+    let mut point = point.clamp(DVec3::NEG_ONE, DVec3::ONE);
+    let axis = face as usize / 2;
+    point[axis] = normal(face)[axis];
+    point
+}
+
 /// The outward normal of a face.
 pub(super) fn normal(face: u32) -> DVec3 {
     let sign = if face.is_multiple_of(2) { 1.0 } else { -1.0 };

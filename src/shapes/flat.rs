@@ -13,19 +13,36 @@ pub enum Outline {
     Rectangle,
 }
 
+/// The height of a world point above the plane: `row . point + offset`, in the plane's own unit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Height {
+    row: DVec3,
+    offset: f64,
+}
+
+impl Height {
+    /// The last row of the map from the world to the plane's space.
+    pub(super) fn of(to_object: &DAffine3) -> Self {
+        let matrix = &to_object.matrix3;
+        Self { row: DVec3::new(matrix.x_axis.z, matrix.y_axis.z, matrix.z_axis.z), offset: to_object.translation.z }
+    }
+}
+
 impl Outline {
-    /// Distance to the hit in `(0, limit)` of a world ray, `to_object` carrying the world to the plane's space.
+    /// Distance to the hit in `(0, limit)` of a world ray, `to_object` carrying the world to the plane's space and
+    /// `height` being its last row.
     ///
     /// The height above the plane decides first; only a hit of the plane needs the other two coordinates.
     #[inline]
-    pub(super) fn intersect(self, to_object: &DAffine3, origin: DVec3, direction: DVec3, limit: f64) -> Option<f64> {
-        let row = |index: usize| {
-            let matrix = &to_object.matrix3;
-            DVec3::new(matrix.x_axis[index], matrix.y_axis[index], matrix.z_axis[index])
-        };
-        let height_row = row(2);
-        let height = height_row.dot(origin) + to_object.translation.z;
-        let distance = -height / height_row.dot(direction);
+    pub(super) fn intersect(
+        self,
+        to_object: &DAffine3,
+        height: &Height,
+        origin: DVec3,
+        direction: DVec3,
+        limit: f64,
+    ) -> Option<f64> {
+        let distance = -(height.row.dot(origin) + height.offset) / height.row.dot(direction);
         // A ray in the plane divides by zero: infinity or NaN fails here.
         if !(distance > 0.0 && distance < limit) {
             return None;
@@ -33,10 +50,8 @@ impl Outline {
         if self == Outline::Plane {
             return Some(distance);
         }
-        let point = origin + direction * distance;
-        let x = row(0).dot(point) + to_object.translation.x;
-        let y = row(1).dot(point) + to_object.translation.y;
-        self.contains(x, y).then_some(distance)
+        let point = to_object.transform_point3(origin + direction * distance);
+        self.contains(point.x, point.y).then_some(distance)
     }
 
     /// True if the place in the plane belongs to the shape.

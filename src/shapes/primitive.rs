@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::flat::Outline;
+use super::flat::{Height, Outline};
 use super::mesh::Mesh;
 use super::{cuboid, sphere};
 use crate::math::{Bounds, DVec2, DVec3, Ray, SurfaceId, Transform};
@@ -15,6 +15,9 @@ pub struct Primitive {
     pub material: MaterialChoice,
     /// False if light passes the shape as if it were not there.
     pub casts_shadow: bool,
+    /// False if nobody asks for the texture coordinates: they are then left at 0.
+    pub textured: bool,
+    kernel: Kernel,
 }
 
 /// The form of a shape in its own space.
@@ -27,6 +30,27 @@ pub enum Geometry {
     /// The cube `[-1, 1]^3`.
     Cuboid,
     /// Shared by all its instances.
+    Mesh(Arc<Mesh>),
+}
+
+/// What is computed for a ray, with what is derived from the transform once.
+#[derive(Debug, Clone)]
+enum Kernel {
+    /// A sphere that the transform leaves round.
+    Ball {
+        centre: DVec3,
+        radius: f64,
+        inverse_radius: f64,
+    },
+    /// A sphere that the transform makes an ellipsoid.
+    Ellipsoid,
+    /// `normal` is of unit length, in the world.
+    Flat {
+        outline: Outline,
+        height: Height,
+        normal: DVec3,
+    },
+    Cuboid,
     Mesh(Arc<Mesh>),
 }
 
@@ -65,93 +89,131 @@ pub struct Surface {
 }
 
 impl Primitive {
+    /// A shape in its place.
+    pub fn new(geometry: Geometry, transform: Transform, material: MaterialChoice, casts_shadow: bool) -> Self {
+        let kernel = match &geometry {
+            Geometry::Flat(outline) => Kernel::Flat {
+                outline: *outline,
+                height: Height::of(&transform.to_object),
+                normal: transform.normal_to_world(DVec3::Z),
+            },
+            Geometry::Sphere => transform.uniform_scale().map_or(Kernel::Ellipsoid, |radius| Kernel::Ball {
+                centre: transform.to_world.translation,
+                radius,
+                inverse_radius: 1.0 / radius,
+            }),
+            Geometry::Cuboid => Kernel::Cuboid,
+            Geometry::Mesh(mesh) => Kernel::Mesh(Arc::clone(mesh)),
+        };
+        Self { geometry, transform, material, casts_shadow, textured: true, kernel }
+    }
+
     /// The nearest hit of a world ray in `(0, limit)`; `shape` is this primitive's number.
-    #[inline]
     pub fn intersect(&self, ray: &Ray, shape: u32, limit: f64) -> Option<Hit> {
-        let leaving = ray.leaves(shape);
-        let to_object = &self.transform.to_object;
-        let found = |t: f64, part: u32| Hit { t, id: SurfaceId { shape, part }, barycentric: [0.0; 3] };
-        match &self.geometry {
-            // A flat surface cannot be hit again by a ray that leaves it.
-            Geometry::Flat(_) if leaving.is_some() => None,
-            Geometry::Flat(outline) => {
-                outline.intersect(to_object, ray.origin, ray.direction, limit).map(|t| found(t, 0))
+        let mut nearest = Hit { t: limit, id: SurfaceId { shape: u32::MAX, part: 0 }, barycentric: [0.0; 3] };
+        self.find_nearer(ray, shape, &mut nearest);
+        (nearest.id.shape == shape).then_some(nearest)
+    }
+
+    /// Replaces the hit if this shape is hit at a smaller distance.
+    #[inline(always)]
+    pub fn find_nearer(&self, ray: &Ray, shape: u32, nearest: &mut Hit) {
+        let limit = nearest.t;
+        if let Kernel::Mesh(mesh) = &self.kernel {
+            let (origin, direction) = self.to_object(ray);
+            let leaving = ray.leaves(shape).map(|departure| (departure.surface.part, departure.side));
+            if let Some(hit) = mesh.intersect(origin, direction, limit, leaving) {
+                let id = SurfaceId { shape, part: hit.triangle };
+                *nearest = Hit { t: hit.t, id, barycentric: hit.barycentric };
             }
-            Geometry::Sphere => {
-                let (origin, direction) = self.to_object(ray);
-                sphere::intersect(origin, direction, limit, leaving.map(|departure| departure.side))
-                    .map(|t| found(t, 0))
-            }
-            Geometry::Cuboid => {
-                let (origin, direction) = self.to_object(ray);
-                cuboid::intersect(origin, direction, limit, leaving).map(|(t, face)| found(t, face))
-            }
-            Geometry::Mesh(mesh) => {
-                let (origin, direction) = self.to_object(ray);
-                let leaving = leaving.map(|departure| (departure.surface.part, departure.side));
-                mesh.intersect(origin, direction, limit, leaving)
-                    .map(|hit| Hit { barycentric: hit.barycentric, ..found(hit.t, hit.triangle) })
-            }
+        } else if let Some((t, part)) = self.analytic(ray, shape, limit) {
+            nearest.t = t;
+            nearest.id = SurfaceId { shape, part };
         }
     }
 
     /// True if anything is hit in `(0, limit)`.
-    #[inline]
+    #[inline(always)]
     pub fn occludes(&self, ray: &Ray, shape: u32, limit: f64) -> bool {
-        match &self.geometry {
-            Geometry::Mesh(mesh) => {
-                let (origin, direction) = self.to_object(ray);
-                let leaving = ray.leaves(shape).map(|departure| (departure.surface.part, departure.side));
-                mesh.occluded(origin, direction, limit, leaving)
+        if let Kernel::Mesh(mesh) = &self.kernel {
+            let (origin, direction) = self.to_object(ray);
+            let leaving = ray.leaves(shape).map(|departure| (departure.surface.part, departure.side));
+            return mesh.occluded(origin, direction, limit, leaving);
+        }
+        self.analytic(ray, shape, limit).is_some()
+    }
+
+    /// Distance and part of the nearest hit of a shape that is no mesh.
+    #[inline(always)]
+    fn analytic(&self, ray: &Ray, shape: u32, limit: f64) -> Option<(f64, u32)> {
+        let leaving = ray.leaves(shape);
+        let side = leaving.map(|departure| departure.side);
+        match &self.kernel {
+            // A sphere does not change when it is turned: only its place and size count.
+            Kernel::Ball { centre, inverse_radius, .. } => {
+                let (origin, direction) = ((ray.origin - *centre) * *inverse_radius, ray.direction * *inverse_radius);
+                Some((sphere::intersect(origin, direction, limit, side)?, 0))
             }
-            _ => self.intersect(ray, shape, limit).is_some(),
+            // A flat surface cannot be hit again by a ray that leaves it.
+            Kernel::Flat { .. } if leaving.is_some() => None,
+            Kernel::Flat { outline, height, .. } => {
+                Some((outline.intersect(&self.transform.to_object, height, ray.origin, ray.direction, limit)?, 0))
+            }
+            Kernel::Ellipsoid => {
+                let (origin, direction) = self.to_object(ray);
+                Some((sphere::intersect(origin, direction, limit, side)?, 0))
+            }
+            Kernel::Cuboid => {
+                let (origin, direction) = self.to_object(ray);
+                cuboid::intersect(origin, direction, limit, leaving)
+            }
+            Kernel::Mesh(_) => None,
         }
     }
 
-    /// The surface where a ray hit this primitive.
+    /// The surface where a ray hit this primitive. The point is put exactly onto the surface: what `ray.at(t)` lacks
+    /// is the rounding of `t`.
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
-        let transform = &self.transform;
-        let to_world = |point: DVec3| transform.to_world.transform_point3(point);
-        let object_point = || transform.to_object.transform_point3(ray.at(hit.t));
-        let smooth = |point: DVec3, normal: DVec3, texture_coordinates: DVec2| {
-            let normal = transform.normal_to_world(normal);
-            Surface {
-                position: to_world(point),
-                normal,
-                shading_normal: normal,
-                texture_coordinates,
-                material: self.material.of_group(0),
-                id: hit.id,
+        match &self.kernel {
+            Kernel::Ball { centre, radius, .. } => {
+                let normal = (ray.at(hit.t) - *centre).normalize();
+                let place = || sphere::texture_coordinates(self.turned_to_object(normal));
+                self.surface_at(*centre + normal * *radius, normal, place, hit)
             }
-        };
-        // The object-space point is put exactly onto the surface before it is carried back.
-        match &self.geometry {
-            Geometry::Sphere => {
-                let normal = sphere::normal(object_point());
-                smooth(normal, normal, sphere::texture_coordinates(normal))
+            Kernel::Flat { outline, normal, .. } => {
+                let point = DVec3 { z: 0.0, ..self.object_point(ray, hit) };
+                self.surface_at(self.to_world(point), *normal, || outline.texture_coordinates(point), hit)
             }
-            Geometry::Flat(outline) => {
-                let point = DVec3 { z: 0.0, ..object_point() };
-                smooth(point, DVec3::Z, outline.texture_coordinates(point))
+            Kernel::Ellipsoid => {
+                let point = sphere::normal(self.object_point(ray, hit));
+                let normal = self.transform.normal_to_world(point);
+                self.surface_at(self.to_world(point), normal, || sphere::texture_coordinates(point), hit)
             }
-            Geometry::Cuboid => {
-                let mut point = object_point().clamp(DVec3::NEG_ONE, DVec3::ONE);
-                let normal = cuboid::normal(hit.id.part);
-                let axis = hit.id.part as usize / 2;
-                point[axis] = normal[axis];
-                smooth(point, normal, cuboid::texture_coordinates(point, hit.id.part))
+            Kernel::Cuboid => {
+                let part = hit.id.part;
+                let point = cuboid::onto_face(self.object_point(ray, hit), part);
+                let normal = self.transform.normal_to_world(cuboid::normal(part));
+                self.surface_at(self.to_world(point), normal, || cuboid::texture_coordinates(point, part), hit)
             }
-            Geometry::Mesh(mesh) => {
-                let point = mesh.surface(hit.id.part, hit.barycentric);
-                Surface {
-                    position: to_world(point.position),
-                    normal: transform.normal_to_world(point.geometric_normal),
-                    shading_normal: transform.normal_to_world(point.shading_normal),
-                    texture_coordinates: point.texture_coordinates.as_dvec2(),
-                    material: self.material.of_group(point.material),
-                    id: hit.id,
-                }
-            }
+            Kernel::Mesh(mesh) => self.mesh_surface(mesh, hit),
+        }
+    }
+
+    fn surface_at(&self, position: DVec3, normal: DVec3, place: impl FnOnce() -> DVec2, hit: &Hit) -> Surface {
+        let texture_coordinates = if self.textured { place() } else { DVec2::ZERO };
+        let material = self.material.of_group(0);
+        Surface { position, normal, shading_normal: normal, texture_coordinates, material, id: hit.id }
+    }
+
+    fn mesh_surface(&self, mesh: &Mesh, hit: &Hit) -> Surface {
+        let point = mesh.surface(hit.id.part, hit.barycentric);
+        Surface {
+            position: self.to_world(point.position),
+            normal: self.transform.normal_to_world(point.geometric_normal),
+            shading_normal: self.transform.normal_to_world(point.shading_normal),
+            texture_coordinates: point.texture_coordinates.as_dvec2(),
+            material: self.material.of_group(point.material),
+            id: hit.id,
         }
     }
 
@@ -166,6 +228,20 @@ impl Primitive {
         Some(object.transformed(&self.transform.to_world))
     }
 
+    fn to_world(&self, point: DVec3) -> DVec3 {
+        self.transform.to_world.transform_point3(point)
+    }
+
+    fn object_point(&self, ray: &Ray, hit: &Hit) -> DVec3 {
+        self.transform.to_object.transform_point3(ray.at(hit.t))
+    }
+
+    /// A world direction in the shape's own space; its length may change.
+    fn turned_to_object(&self, direction: DVec3) -> DVec3 {
+        self.transform.to_object.transform_vector3(direction)
+    }
+
+    #[inline(always)]
     fn to_object(&self, ray: &Ray) -> (DVec3, DVec3) {
         let to_object = &self.transform.to_object;
         (to_object.transform_point3(ray.origin), to_object.transform_vector3(ray.direction))
@@ -173,6 +249,14 @@ impl Primitive {
 }
 
 impl MaterialChoice {
+    /// The scene's numbers of all its materials.
+    pub fn numbers(&self) -> &[u32] {
+        match self {
+            MaterialChoice::Whole(material) => std::slice::from_ref(material),
+            MaterialChoice::PerGroup(materials) => materials,
+        }
+    }
+
     /// The scene's number of the material of a group.
     fn of_group(&self, group: u32) -> u32 {
         match self {

@@ -20,25 +20,34 @@ pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Op
         Some(Side::Front) => return None,
         // Rounding at grazing directions may make the chord negative: then it has no length.
         Some(Side::Back) => (-2.0 * half_b / squared_length).max(0.0),
-        None => {
-            // The discriminant from the distance between centre and ray does not cancel for far origins
-            // (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
-            let closest = origin - direction * (half_b / squared_length);
-            let discriminant = squared_length * (1.0 - closest.length_squared());
-            if discriminant < 0.0 {
-                return None;
-            }
-            // The root without cancellation first, the other from the product of the roots.
-            let q = -half_b - discriminant.sqrt().copysign(half_b);
-            let c = origin.length_squared() - 1.0;
-            let (first, second) = (c / q, q / squared_length);
-            let (near, far) = if first < second { (first, second) } else { (second, first) };
-            if near > 0.0 { near } else { far }
-        }
+        None => from_free_space(origin, direction, half_b, squared_length)?,
     };
     // A chord of no length is still a hit: the ray stays inside until it passes the surface.
     let starts_inside = leaving == Some(Side::Back);
     ((distance > 0.0 || starts_inside) && distance < limit).then_some(distance)
+}
+
+/// The nearest root ahead of a ray that starts anywhere.
+#[inline(always)]
+fn from_free_space(origin: DVec3, direction: DVec3, half_b: f64, squared_length: f64) -> Option<f64> {
+    let c = origin.length_squared() - 1.0;
+    if half_b > 0.0 && c > 0.0 {
+        return None;
+    }
+    // The discriminant from the distance between centre and ray does not cancel for far origins
+    // (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019). Both sides are
+    // multiplied by |d|^2, so that a miss costs no division.
+    let closest = origin * squared_length - direction * half_b;
+    let difference = squared_length * squared_length - closest.length_squared();
+    if difference < 0.0 {
+        return None;
+    }
+    let root = (difference / squared_length).sqrt();
+    // The root without cancellation first, the other from the product of the roots.
+    let q = -half_b - root.copysign(half_b);
+    let (first, second) = (c / q, q / squared_length);
+    let (near, far) = if first < second { (first, second) } else { (second, first) };
+    Some(if near > 0.0 { near } else { far })
 }
 
 /// The outward normal at a point on the sphere.
