@@ -2,9 +2,11 @@
 
 mod bake;
 mod interrupt;
+mod map_options;
 mod options;
 mod progress_bar;
 mod render;
+mod shots;
 
 use std::process::ExitCode;
 
@@ -36,6 +38,8 @@ enum Command {
     Render(render::RenderArguments),
     /// Render the surroundings of a point to the six faces of a cube map
     Bake(bake::BakeArguments),
+    /// Render what a camera sees along the six axes of a map, and a contact sheet
+    Shots(shots::ShotsArguments),
 }
 
 /// Runs the command line of this process.
@@ -43,6 +47,7 @@ pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Shots(arguments) => shots::run(&arguments),
     };
     exit_code(result)
 }

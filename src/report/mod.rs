@@ -1,12 +1,19 @@
 //! What the tool says and draws. Only this module draws.
 
+mod canvas;
 mod compass;
 mod compass_marks;
+mod contact_sheet;
+mod drawing;
 mod render_report;
+mod shots_report;
 mod text_drawing;
 
 pub use compass::draw_compass_face;
+pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
+pub use drawing::Drawing;
 pub use render_report::RenderReport;
+pub use shots_report::ShotsReport;
 pub use text_drawing::{Anchor, draw_text, text_path, text_width};
 
 #[cfg(test)]
