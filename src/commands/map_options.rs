@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Args;
+use rayon::prelude::*;
 
 use super::options::read_lookup;
 use crate::envmap::source::Skybox;
@@ -64,6 +65,13 @@ impl OpenMap {
     /// The map under a lookup, with nothing decoded yet.
     pub fn cube_map(&self, lookup: Lookup, filter: CubeFilter) -> CubeMap {
         CubeMap::from_skybox(&self.skybox, lookup, filter)
+    }
+
+    /// The map under a lookup, all its images decoded on all cores.
+    pub fn decoded(&self, lookup: Lookup, filter: CubeFilter) -> Result<CubeMap> {
+        let map = self.cube_map(lookup, filter);
+        Face::ALL.par_iter().try_for_each(|&image| map.picture(image).map(|_| ()))?;
+        Ok(map)
     }
 
     /// The image that a face reads, and its file: `posz (Meadow.zip/posz.jpg)`.

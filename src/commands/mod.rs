@@ -1,11 +1,13 @@
 //! The commands: arguments in, results on stdout, complaints on stderr, an exit code out.
 
 mod bake;
+mod cross;
 mod interrupt;
 mod map_options;
 mod options;
 mod progress_bar;
 mod render;
+mod seam_steps;
 mod shots;
 
 use std::process::ExitCode;
@@ -38,6 +40,8 @@ enum Command {
     Render(render::RenderArguments),
     /// Render the surroundings of a point to the six faces of a cube map
     Bake(bake::BakeArguments),
+    /// Draw a map unfolded, as the lookup shows it, with its seams
+    Cross(cross::CrossArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
     Shots(shots::ShotsArguments),
 }
@@ -47,6 +51,7 @@ pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Cross(arguments) => cross::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
     };
     exit_code(result)
