@@ -5,6 +5,7 @@ mod cross;
 mod interrupt;
 mod map_options;
 mod options;
+mod probe;
 mod progress_bar;
 mod render;
 mod seam_steps;
@@ -42,6 +43,8 @@ enum Command {
     Bake(bake::BakeArguments),
     /// Draw a map unfolded, as the lookup shows it, with its seams
     Cross(cross::CrossArguments),
+    /// Follow the lookup of one direction step by step
+    Probe(probe::ProbeArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
     Shots(shots::ShotsArguments),
 }
@@ -52,6 +55,7 @@ pub fn run() -> ExitCode {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
+        Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
     };
     exit_code(result)

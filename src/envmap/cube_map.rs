@@ -90,8 +90,8 @@ impl CubeMap {
         self.images.iter().filter_map(LazyImage::error)
     }
 
-    /// The picture of a face, if it can be decoded.
-    pub(super) fn face_picture(&self, face: Face) -> Option<&Picture> {
-        self.images[self.lookup.row(face).image.index()].picture()
+    /// The picture an image name stands for, if it can be decoded.
+    pub(super) fn image_picture(&self, image: Face) -> Option<&Picture> {
+        self.images[image.index()].picture()
     }
 }

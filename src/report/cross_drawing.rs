@@ -130,7 +130,7 @@ pub(super) fn draw_letter(canvas: &mut Canvas, letter: char, (x, y): (f32, f32))
         [150, 90, 220],
         [140, 100, 60],
         [90, 110, 130],
-        [200, 120, 140],
+        [110, 130, 30],
     ];
     let [red, green, blue] = COLOURS[letter as usize - 'A' as usize];
     canvas.disc((x, y), 12.0, Color::from_rgba8(red, green, blue, 255));

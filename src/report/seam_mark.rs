@@ -43,7 +43,7 @@ impl SeamVerdict {
             Self::Fits => Color::from_rgba8(60, 200, 90, 255),
             Self::Broken => Color::from_rgba8(240, 50, 40, 255),
             Self::Undecidable => Color::from_rgba8(250, 190, 30, 255),
-            Self::Measured => Color::from_rgba8(235, 235, 245, 255),
+            Self::Measured => Color::from_rgba8(120, 145, 235, 255),
         }
     }
 }
