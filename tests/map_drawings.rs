@@ -84,8 +84,7 @@ fn shots_writes_six_pictures_a_sheet_and_the_camera() {
         let shot = read(&folder.path().join("out").join(face.name()).with_extension("png")).unwrap();
         assert_eq!((shot.width(), shot.height()), (64, 64));
     }
-    let sheet = read(&folder.path().join("out/contact-sheet.png")).unwrap();
-    assert!(sheet.width() > 3 * 256);
+    assert_looks_as_it_did(&folder.path().join("out/contact-sheet.png"), "contact-sheet-compass");
 }
 
 #[test]
@@ -115,7 +114,16 @@ fn difference(one: &Picture, other: &Picture) -> f32 {
     sum / one.len() as f32
 }
 
-/// `SKYCUBE_BLESS=1` writes the golden pictures anew: look at them.
+/// Compares a drawing with a golden one. `SKYCUBE_BLESS=1` writes the golden pictures anew: look at them.
+fn assert_looks_as_it_did(drawn: &Path, name: &str) {
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name).with_extension("png");
+    if std::env::var_os("SKYCUBE_BLESS").is_some() {
+        std::fs::copy(drawn, &golden).unwrap();
+    }
+    let step = difference(&read(drawn).unwrap(), &read(&golden).unwrap());
+    assert!(step < 0.5, "{name}: {step} of 255 from {}", golden.display());
+}
+
 #[test]
 fn crosses_look_as_they_did() {
     let folder = tempfile::tempdir().unwrap();
@@ -123,12 +131,6 @@ fn crosses_look_as_they_did() {
     for lookup in ["humus-z-up", "exercise"] {
         let arguments = ["cross", map.to_str().unwrap(), "-o", "cross.png", "--lookup", lookup, "--cell", "80"];
         stdout(&skycube(folder.path(), &arguments));
-        let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("tests/golden/cross-compass-{lookup}.png"));
-        let drawn = folder.path().join("cross.png");
-        if std::env::var_os("SKYCUBE_BLESS").is_some() {
-            std::fs::copy(&drawn, &golden).unwrap();
-        }
-        let step = difference(&read(&drawn).unwrap(), &read(&golden).unwrap());
-        assert!(step < 0.5, "{lookup}: {step} of 255 from {}", golden.display());
+        assert_looks_as_it_did(&folder.path().join("cross.png"), &format!("cross-compass-{lookup}"));
     }
 }

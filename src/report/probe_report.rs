@@ -107,7 +107,8 @@ impl ProbeReport<'_> {
             1 => "",
             _ => " (a tie: x wins over y, y over z)",
         };
-        format!("{} = {}: face {}{rule}", names.join(" = "), probe.largest, probe.point.face.signed_name())
+        let largest = number(probe.largest);
+        format!("{} = {largest}: face {}{rule}", names.join(" = "), probe.point.face.signed_name())
     }
 
     /// `(-x/|y| + 1) / 2 = (-0.3/1 + 1) / 2 = 0.35`.
@@ -115,8 +116,9 @@ impl ProbeReport<'_> {
         let sign = if axis.negative { "-" } else { "" };
         let name = AXES[usize::from(axis.axis)];
         let largest = AXES[self.probe.point.face.axis()];
-        let component = axis.component(self.probe.direction.to_array());
-        format!("({sign}{name}/|{largest}| + 1) / 2 = ({component}/{} + 1) / 2 = {value}", self.probe.largest)
+        let component = number(axis.component(self.probe.direction.to_array()));
+        let (quotient, value) = (number(self.probe.largest), number(value));
+        format!("({sign}{name}/|{largest}| + 1) / 2 = ({component}/{quotient} + 1) / 2 = {value}")
     }
 
     fn write_position(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -154,12 +156,12 @@ impl ProbeReport<'_> {
 impl fmt::Display for ProbeReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let probe = self.probe;
-        let Vec3 { x, y, z } = probe.direction;
+        let [x, y, z] = probe.direction.to_array().map(number);
         writeln!(formatter, "{} through the lookup {}", self.map, self.lookup)?;
         writeln!(formatter, "components      x = {x}, y = {y}, z = {z}")?;
         writeln!(formatter, "largest         {}", self.largest())?;
         let axis = AXES[probe.point.face.axis()];
-        writeln!(formatter, "1/|d|           1/|{axis}| = {}", 1.0 / probe.largest)?;
+        writeln!(formatter, "1/|d|           1/|{axis}| = {}", number(1.0 / probe.largest))?;
         writeln!(formatter, "u along {}      {}", probe.row.u, self.coordinate(probe.row.u, probe.point.u))?;
         writeln!(formatter, "v along {}      {}", probe.row.v, self.coordinate(probe.row.v, probe.point.v))?;
         let [width, height] = probe.size;
@@ -169,6 +171,12 @@ impl fmt::Display for ProbeReport<'_> {
         self.write_texels(formatter)?;
         writeln!(formatter, "colour          {}", colours(probe.colour))
     }
+}
+
+/// The shortest digits that give the same `f32`, with an exponent where there would be many zeros.
+fn number(value: f32) -> String {
+    let magnitude = value.abs();
+    if magnitude == 0.0 || (1e-4..1e7).contains(&magnitude) { value.to_string() } else { format!("{value:e}") }
 }
 
 /// `( 12,  34,  56)  (0.003677, 0.015996, 0.039546)`.

@@ -109,8 +109,8 @@ fn the_seams_of_the_compass_close_through_the_lookups_of_downloads() {
     for preset in Preset::ALL {
         let images = Face::ALL.map(|face| LazyImage::ready(draw_compass_face(face, SIZE)));
         let map = CubeMap::new(images, preset.lookup(), CubeFilter::Nearest);
-        let worst = CrossLayout::new(SignedAxis::POS_Z).edges.iter().map(|edge| sampled_step(&map, edge.faces));
-        let worst = worst.fold(0.0, f32::max);
+        let edges = CrossLayout::new(SignedAxis::POS_Z).edges;
+        let worst = edges.iter().map(|edge| sampled_step(&map, edge.faces)).fold(0.0, f32::max);
         let gradient = 255.0 * GRADIENT * (2.0 / 3.0) / SIZE as f32;
         // `course` reads a y-up download under the wrong names, `exercise` is wrong on purpose.
         let closes = !matches!(preset, Preset::Course | Preset::Exercise);
