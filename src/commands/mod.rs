@@ -1,6 +1,7 @@
 //! The commands: arguments in, results on stdout, complaints on stderr, an exit code out.
 
 mod bake;
+mod check;
 mod interrupt;
 mod options;
 mod progress_bar;
@@ -36,6 +37,8 @@ enum Command {
     Render(render::RenderArguments),
     /// Render the surroundings of a point to the six faces of a cube map
     Bake(bake::BakeArguments),
+    /// Check whether the six pictures of a skybox fit together
+    Check(check::CheckArguments),
 }
 
 /// Runs the command line of this process.
@@ -43,6 +46,7 @@ pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
     };
     exit_code(result)
 }
