@@ -181,7 +181,7 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
         images,
         lookup,
         lookup_name: options.lookup_name.clone(),
-        verdict: verdict(&puzzle, &fix, &found, &given, &foreign),
+        verdict: verdict(&puzzle, &solution, &given, &foreign),
         seams: seams(&given),
         fix,
         foreign,
@@ -198,7 +198,7 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
         face,
         image: found.images[face.index()],
         laying: found.laying(face),
-        decided: solution.decided[face.index()],
+        decided: solution.excluded[face.index()] == 7,
     });
     let changed = |face: &Face| {
         let face = face.index();
@@ -214,15 +214,16 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
     }
 }
 
-/// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels decide how at
-/// least half of the faces lie, and what is found looks like a map at all.
-fn verdict(puzzle: &Puzzle, fix: &Fix, found: &Arrangement, given: &Arrangement, foreign: &[Foreign]) -> Verdict {
+/// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels of at least half of
+/// the faces tell most layings from the one found, and what is found looks like a map at all.
+fn verdict(puzzle: &Puzzle, solution: &Solution, given: &Arrangement, foreign: &[Foreign]) -> Verdict {
+    let found = &solution.arrangement;
     if found != given || !foreign.is_empty() {
         return Verdict::Broken;
     }
-    let decided = fix.faces.iter().filter(|face| face.decided).count();
+    let telling = solution.excluded.iter().filter(|&&excluded| excluded >= 4).count();
     let fit = (0..12).map(|edge| puzzle.fit(found, edge)).sum::<f64>() / 12.0;
-    if decided >= 3 && fit < UNRELATED { Verdict::Fits } else { Verdict::Undecidable }
+    if telling >= 3 && fit < UNRELATED { Verdict::Fits } else { Verdict::Undecidable }
 }
 
 /// The mean fit of seams from which on the six pictures have nothing to do with each other.

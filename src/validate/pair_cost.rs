@@ -7,6 +7,7 @@
 //! changes, so that over all ways to lay the six faces the sum is a fair comparison: every side is used once.
 
 use super::border::ImageBorders;
+use super::display::Display;
 use super::edge::{Border, Side};
 use super::signal::{Colour, Signal, band_of};
 use crate::envmap::Face;
@@ -45,7 +46,7 @@ impl PairCosts {
             sides.map(|(image, side)| Signal::new(image, side, reversed, length)).collect()
         };
         let (forwards, backwards) = (signals(false), signals(true));
-        let floors = Floors::new(length, texels);
+        let floors = Floors::new(length, texels, images[0].display);
         let mut units = vec![[0.0; UNITS]; 24 * 24 * 2];
         for (one, signal) in forwards.iter().enumerate() {
             for other in one..24 {
@@ -91,15 +92,17 @@ fn common_length(images: &[ImageBorders; 6]) -> usize {
 }
 
 /// The least change, squared, that a band is credited with: rounding to whole codes, the blocks of JPEG files
-/// (whose means are rounded block by block), and what resampling does at all scales.
+/// (whose means are rounded block by block), and what resampling does at all scales. Files of more than 8 bits round a
+/// tenth as much or less.
 struct Floors(Vec<f32>);
 
 impl Floors {
-    fn new(length: usize, texels: usize) -> Self {
+    fn new(length: usize, texels: usize, display: Display) -> Self {
+        let factor = if display == Display::EightBit { 1.0 } else { 0.01 };
         let bands = band_of(length - 1) + 1;
         let floor = |band: usize| {
             let covered = texels as f32 / (1 << band.saturating_sub(1)) as f32;
-            0.1 * 0.1 + 0.5 * 0.5 / covered + 0.4 * 0.4 / (covered / 8.0).max(1.0)
+            factor * (0.1 * 0.1 + 0.5 * 0.5 / covered + 0.4 * 0.4 / (covered / 8.0).max(1.0))
         };
         Self((0..bands).map(floor).collect())
     }

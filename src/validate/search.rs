@@ -6,7 +6,6 @@
 
 use super::arrangement::{Arrangement, Puzzle};
 use super::edge::Edge;
-use super::pair_cost::border_index;
 use crate::envmap::Face;
 
 /// What the search may change.
@@ -17,13 +16,11 @@ pub struct Freedom {
     pub any_order: bool,
     /// A face whose laying is prescribed.
     pub fixed: Option<(Face, usize)>,
-    /// A face whose laying may not be this one.
-    pub barred: Option<(Face, usize)>,
 }
 
 impl Freedom {
-    pub const TRUSTED: Self = Self { any_order: false, fixed: None, barred: None };
-    pub const ANY_ORDER: Self = Self { any_order: true, fixed: None, barred: None };
+    pub const TRUSTED: Self = Self { any_order: false, fixed: None };
+    pub const ANY_ORDER: Self = Self { any_order: true, fixed: None };
 }
 
 /// The cheapest arrangement; of several the first in the order of faces and layings, so the given one if it is among them.
@@ -86,8 +83,7 @@ impl Search<'_> {
     }
 
     fn allows(&self, face: usize, laying: usize) -> bool {
-        let is = |rule: Option<(Face, usize)>| rule.map(|(of, rule)| (of.index() == face).then_some(rule == laying));
-        is(self.freedom.fixed).flatten() != Some(false) && is(self.freedom.barred).flatten() != Some(true)
+        self.freedom.fixed.is_none_or(|(fixed, prescribed)| fixed.index() != face || prescribed == laying)
     }
 }
 
@@ -131,6 +127,5 @@ fn least_between_any(puzzle: &Puzzle) -> f64 {
             }
         }
     }
-    debug_assert_eq!(border_index(Face::NegZ, super::edge::Side::One), 23);
     least
 }

@@ -13,8 +13,8 @@ use crate::envmap::{Face, FaceLookup, Lookup, SignedAxis};
 pub struct Solution {
     pub arrangement: Arrangement,
     pub convention: Option<Convention>,
-    /// By face: whether every other laying of it is decisively worse.
-    pub decided: [bool; 6],
+    /// By face how many of the seven other layings are decisively worse, whatever the other faces then do.
+    pub excluded: [usize; 6],
     /// The standard errors by which the best essentially different arrangement is worse.
     pub margin: f64,
     /// Arrangements that are equally good, this one among them.
@@ -52,15 +52,10 @@ impl Question<'_> {
         };
         let ties = self.ties(&best);
         let (arrangement, convention) = self.simplest(&best, &ties, any_order);
-        let decided = Face::ALL.map(|face| self.is_decided(&arrangement, face));
+        let (excluded, margin) = self.alternatives(&arrangement);
         let alike: usize = ties.iter().map(Vec::len).product();
-        Solution {
-            arrangement,
-            convention,
-            decided,
-            margin: self.margin(&arrangement),
-            equivalents: if any_order { 48 * alike } else { alike },
-        }
+        let equivalents = if any_order { 48 * alike } else { alike };
+        Solution { arrangement, convention, excluded, margin, equivalents }
     }
 
     /// By face the layings that are as good as the best one's, itself first.
@@ -157,9 +152,21 @@ impl Question<'_> {
         (image(up), image(-up)) != (sky, ground)
     }
 
-    /// True if every other laying of the face is decisively worse, whatever the other faces then do.
-    fn is_decided(&self, found: &Arrangement, face: Face) -> bool {
-        self.others(found, face).iter().all(|other| !self.puzzle.ties(found, other))
+    /// By face the number of other layings that are decisively worse, and the standard errors by which the best of
+    /// all those is worse.
+    fn alternatives(&self, found: &Arrangement) -> ([usize; 6], f64) {
+        let mut excluded = [0; 6];
+        let mut margin = f64::INFINITY;
+        for face in Face::ALL {
+            for other in self.others(found, face) {
+                let comparison = self.puzzle.compare(found, &other);
+                if comparison.is_decisive() {
+                    excluded[face.index()] += 1;
+                    margin = margin.min(comparison.standard_errors());
+                }
+            }
+        }
+        (excluded, if margin.is_finite() { margin } else { 0.0 })
     }
 
     /// The cheapest arrangements of the same images with another laying of the face.
@@ -168,19 +175,6 @@ impl Question<'_> {
         let base = Arrangement::given(found.images);
         let fixed = |laying| Freedom { fixed: Some((face, laying)), ..Freedom::TRUSTED };
         (0..8).filter(|&laying| laying != own).map(|laying| cheapest(self.puzzle, &base, fixed(laying))).collect()
-    }
-
-    fn margin(&self, found: &Arrangement) -> f64 {
-        let mut margin = f64::INFINITY;
-        for face in Face::ALL {
-            for other in self.others(found, face) {
-                let comparison = self.puzzle.compare(found, &other);
-                if comparison.is_decisive() {
-                    margin = margin.min(comparison.standard_errors());
-                }
-            }
-        }
-        if margin.is_finite() { margin } else { 0.0 }
     }
 }
 
