@@ -3,12 +3,12 @@
 use std::path::PathBuf;
 
 use clap::Args;
-use rayon::prelude::*;
 
 use super::options::read_lookup;
 use crate::envmap::source::Skybox;
 use crate::envmap::{CubeFilter, CubeMap, Face, Lookup, Preset, SignedAxis};
 use crate::error::Result;
+use crate::validate::{Check, CheckOptions, ImageFacts, check, load};
 
 /// A map and the lookup it is seen through.
 #[derive(Debug, Args)]
@@ -67,11 +67,13 @@ impl OpenMap {
         CubeMap::from_skybox(&self.skybox, lookup, filter)
     }
 
-    /// The map under a lookup, all its images decoded on all cores.
-    pub fn decoded(&self, lookup: Lookup, filter: CubeFilter) -> Result<CubeMap> {
-        let map = self.cube_map(lookup, filter);
-        Face::ALL.par_iter().try_for_each(|&image| map.picture(image).map(|_| ()))?;
-        Ok(map)
+    /// The map under its lookup, all images decoded on all cores, and what the validator says of it. `world_up` is the
+    /// axis that the user named.
+    pub fn checked(&self, filter: CubeFilter, world_up: Option<SignedAxis>) -> Result<(CubeMap, Check)> {
+        let map = load(&self.skybox, self.lookup)?;
+        let options = CheckOptions { world_up, lookup_name: self.lookup_name.clone(), ..CheckOptions::default() };
+        let check = check(&map, ImageFacts::of_skybox(&self.skybox), &options)?;
+        Ok((map.with_filter(filter), check))
     }
 
     /// The image that a face reads, and its file: `posz (Meadow.zip/posz.jpg)`.

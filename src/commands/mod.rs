@@ -1,6 +1,7 @@
 //! The commands: arguments in, results on stdout, complaints on stderr, an exit code out.
 
 mod bake;
+mod check;
 mod cross;
 mod interrupt;
 mod map_options;
@@ -8,7 +9,6 @@ mod options;
 mod probe;
 mod progress_bar;
 mod render;
-mod seam_steps;
 mod shots;
 
 use std::process::ExitCode;
@@ -41,6 +41,8 @@ enum Command {
     Render(render::RenderArguments),
     /// Render the surroundings of a point to the six faces of a cube map
     Bake(bake::BakeArguments),
+    /// Check whether the six pictures of a skybox fit together
+    Check(check::CheckArguments),
     /// Draw a map unfolded, as the lookup shows it, with its seams
     Cross(cross::CrossArguments),
     /// Follow the lookup of one direction step by step
@@ -54,6 +56,7 @@ pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),

@@ -4,7 +4,7 @@ use clap::Args;
 
 use super::Outcome;
 use super::map_options::MapOptions;
-use crate::envmap::{CubeFilter, Face, Probe};
+use crate::envmap::{CubeFilter, CubeMap, Face, Probe};
 use crate::error::Result;
 use crate::math::Vec3;
 use crate::report::ProbeReport;
@@ -27,14 +27,25 @@ pub struct ProbeArguments {
 /// Follows the direction and prints every step.
 pub fn run(arguments: &ProbeArguments) -> Result<Outcome> {
     let map = arguments.map.open()?;
-    let cube_map = map.cube_map(map.lookup, arguments.filter);
-    let probe = Probe::new(&cube_map, arguments.direction).map_err(|error| error.at_key("--direction"))?;
+    let (cube_map, check) = map.checked(arguments.filter, None)?;
     let files = Face::ALL.map(|image| map.skybox.image(image).name().to_owned());
-    let report = ProbeReport { probe: &probe, map: &map.name, lookup: &map.lookup_name, files: &files };
+    let follow =
+        |cube_map: &CubeMap| Probe::new(cube_map, arguments.direction).map_err(|error| error.at_key("--direction"));
+    let given = follow(&cube_map)?;
+    let fixed_map = cube_map.with_lookup(check.fix.lookup(&map.lookup));
+    let fixed = if check.fix.changes > 0 { Some(follow(&fixed_map)?) } else { None };
+    let fixed_name = format!("{}, fixed", map.lookup_name);
+    let report = |probe, lookup| ProbeReport { probe, map: &map.name, lookup, files: &files };
+    let before = report(&given, &map.lookup_name);
+    let after = fixed.as_ref().map(|probe| report(probe, &fixed_name));
     if arguments.json {
-        println!("{}", report.to_json());
-    } else {
-        print!("{report}");
+        println!("{}", before.to_json(after.as_ref()));
+        return Ok(Outcome::Clean);
+    }
+    print!("{before}");
+    match after {
+        Some(after) => print!("\n{after}"),
+        None => println!("\nnothing to fix: the same again"),
     }
     Ok(Outcome::Clean)
 }

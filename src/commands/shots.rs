@@ -10,7 +10,7 @@ use super::map_options::{OpenMap, ViewOptions};
 use super::options::refuse_to_overwrite_sources;
 use super::progress_bar::RenderBar;
 use crate::colour::ToneMap;
-use crate::envmap::{Environment, EnvironmentKind, Face, Lookup};
+use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis};
 use crate::error::{Error, Result};
 use crate::picture::{self, Raster, WriteOptions, check_target};
 use crate::render::{AxisShot, render};
@@ -30,6 +30,9 @@ pub struct ShotsArguments {
     /// Samples a pixel [default: 1 for shots as large as the images, up to 16 for smaller ones]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 16))]
     samples: Option<u32>,
+    /// Render the fixed map too, to the folder `fixed` inside, and both side by side on the contact sheet
+    #[arg(long)]
+    fixed: bool,
     /// How radiance above 1 is brought into range
     #[arg(long, value_enum, default_value = "clamp")]
     tone_map: ToneMap,
@@ -40,33 +43,74 @@ pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
     interrupt::watch();
     let map = arguments.view.map.open()?;
     let (world_up, assumption) = arguments.view.world_up();
-    let targets = targets(arguments, &map)?;
+    let fixed_lookup = if arguments.fixed {
+        let (_, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
+        (check.fix.changes > 0).then(|| check.fix.lookup(&map.lookup))
+    } else {
+        None
+    };
+    let folder = &arguments.output;
+    let given = take(arguments, &map, map.lookup, &map.lookup_name, world_up, folder)?;
+    let sheet_file = folder.join("contact-sheet.png");
+    refuse_to_overwrite_sources(&sheet_file, &map.sources)?;
+    let mut sheet = contact_sheet(&given, &map.name, arguments.tone_map);
+    let mut sets = vec![given];
+    if let Some(lookup) = fixed_lookup {
+        let name = format!("{}, fixed", map.lookup_name);
+        let fixed = take(arguments, &map, lookup, &name, world_up, &folder.join("fixed"))?;
+        sheet = sheet.beside(&contact_sheet(&fixed, &map.name, arguments.tone_map));
+        sets.push(fixed);
+    }
+    write(arguments, &sets, &sheet, &sheet_file)?;
+    if let Some(assumption) = assumption {
+        println!("{assumption}");
+    }
+    if arguments.fixed && fixed_lookup.is_none() {
+        println!("nothing to fix: one set of shots");
+    }
+    for set in &sets {
+        print!("{}", set.report);
+    }
+    println!("\nwrote {}", sheet_file.display());
+    Ok(Outcome::Clean)
+}
+
+/// The shots through one lookup, and the files they go to.
+struct ShotSet {
+    report: ShotsReport,
+    rasters: Vec<Raster>,
+    folder: PathBuf,
+    targets: Vec<PathBuf>,
+}
+
+/// Renders the shots through a lookup for a folder.
+fn take(
+    arguments: &ShotsArguments,
+    map: &OpenMap,
+    lookup: Lookup,
+    lookup_name: &str,
+    world_up: SignedAxis,
+    folder: &Path,
+) -> Result<ShotSet> {
+    let targets = targets(folder, map)?;
     let shots = AxisShot::all(world_up);
-    let samples = arguments.samples.unwrap_or_else(|| samples(&map, arguments.size as usize));
-    let rasters = render_shots(arguments, &map, map.lookup, shots, samples)?;
+    let samples = arguments.samples.unwrap_or_else(|| samples(map, arguments.size as usize));
+    let rasters = render_shots(arguments, map, lookup, shots, samples)?;
     let report = ShotsReport {
         shots,
-        images: Face::ALL.map(|face| map.image_of(&map.lookup, face)),
+        images: Face::ALL.map(|face| map.image_of(&lookup, face)),
         world_up,
-        lookup: map.lookup_name.clone(),
+        lookup: lookup_name.to_owned(),
         size: arguments.size as usize,
         samples,
         written: targets.iter().map(|target| target.display().to_string()).collect(),
     };
-    let sheet = contact_sheet(&report, &rasters, &map.name, arguments.tone_map);
-    write(arguments, &targets, &rasters, &sheet)?;
-    if let Some(assumption) = assumption {
-        println!("{assumption}");
-    }
-    print!("{report}");
-    Ok(Outcome::Clean)
+    Ok(ShotSet { report, rasters, folder: folder.to_owned(), targets })
 }
 
-/// The six shots and the contact sheet, none of which may be a picture of the map.
-fn targets(arguments: &ShotsArguments, map: &OpenMap) -> Result<Vec<PathBuf>> {
-    let folder = &arguments.output;
-    let names = Face::ALL.map(Face::name).into_iter().chain(["contact-sheet"]);
-    let targets: Vec<PathBuf> = names.map(|name| folder.join(name).with_extension("png")).collect();
+/// The files of six shots, none of which may be a picture of the map.
+fn targets(folder: &Path, map: &OpenMap) -> Result<Vec<PathBuf>> {
+    let targets: Vec<PathBuf> = Face::ALL.map(|face| folder.join(face.name()).with_extension("png")).into();
     for target in &targets {
         refuse_to_overwrite_sources(target, &map.sources)?;
     }
@@ -112,26 +156,28 @@ fn render_shots(
     Ok(rasters)
 }
 
-fn contact_sheet(report: &ShotsReport, rasters: &[Raster], map: &str, tone_map: ToneMap) -> Drawing {
+fn contact_sheet(set: &ShotSet, map: &str, tone_map: ToneMap) -> Drawing {
     let shots = Face::ALL.map(|face| CaptionedShot {
-        shot: report.shots[face.index()],
-        raster: &rasters[face.index()],
-        image: &report.images[face.index()],
+        shot: set.report.shots[face.index()],
+        raster: &set.rasters[face.index()],
+        image: &set.report.images[face.index()],
     });
-    let heading = format!("{map} through the lookup {}", report.lookup);
-    draw_contact_sheet(&shots, &heading, &report.camera(), tone_map)
+    let heading = format!("{map} through the lookup {}", set.report.lookup);
+    draw_contact_sheet(&shots, &heading, &set.report.camera(), tone_map)
 }
 
 /// Writes all files: every picture is there before the first is written.
-fn write(arguments: &ShotsArguments, targets: &[PathBuf], rasters: &[Raster], sheet: &Drawing) -> Result<()> {
-    std::fs::create_dir_all(&arguments.output)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(&arguments.output))?;
-    for target in targets {
-        check_target(target)?;
+fn write(arguments: &ShotsArguments, sets: &[ShotSet], sheet: &Drawing, sheet_file: &Path) -> Result<()> {
+    for ShotSet { folder, targets, .. } in sets {
+        std::fs::create_dir_all(folder)
+            .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
+        targets.iter().try_for_each(|target| check_target(target))?;
     }
     let options = WriteOptions { tone_map: arguments.tone_map, ..WriteOptions::default() };
-    for (target, raster) in targets.iter().zip(rasters) {
-        picture::write(raster, target, &options)?;
+    for ShotSet { targets, rasters, .. } in sets {
+        for (target, raster) in targets.iter().zip(rasters) {
+            picture::write(raster, target, &options)?;
+        }
     }
-    sheet.write(&targets[6])
+    sheet.write(sheet_file)
 }

@@ -56,6 +56,11 @@ impl CubeMap {
         Self { lookup, ..self }
     }
 
+    /// The same pictures read another way between texels.
+    pub fn with_filter(self, filter: CubeFilter) -> Self {
+        Self { filter, ..self }
+    }
+
     /// Linear colour seen in a direction of any length; black if the image cannot be decoded, see
     /// [`CubeMap::errors`].
     #[inline]

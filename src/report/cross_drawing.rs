@@ -179,7 +179,7 @@ fn draw_name(canvas: &mut Canvas, cell: &CrossCell, file: &str) {
 
 /// A line of dark text on the ground of the drawing.
 pub(super) fn note(canvas: &mut Canvas, text: &str, size: f32, position: (f32, f32)) {
-    fitted_text(canvas, text, size, position, 2.0 * CELL - 40.0);
+    fitted_text(canvas, text, size, position, MARGIN + 4.0 * CELL - position.0);
 }
 
 #[cfg(test)]

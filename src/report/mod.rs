@@ -1,6 +1,7 @@
 //! What the tool says and draws. Only this module draws.
 
 mod canvas;
+mod check_report;
 mod compass;
 mod compass_marks;
 mod contact_sheet;
@@ -14,6 +15,7 @@ mod seam_mark;
 mod shots_report;
 mod text_drawing;
 
+pub use check_report::{CheckReport, failed_check_json};
 pub use compass::draw_compass_face;
 pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
 pub use cross_drawing::{CrossInput, draw_cross};
@@ -21,7 +23,7 @@ pub use cross_layout::{CrossCell, CrossEdge, CrossLayout, Side};
 pub use drawing::Drawing;
 pub use probe_report::ProbeReport;
 pub use render_report::RenderReport;
-pub use seam_mark::{SeamMark, SeamVerdict};
+pub use seam_mark::SeamMark;
 pub use shots_report::ShotsReport;
 pub use text_drawing::{Anchor, draw_text, text_path, text_width};
 

@@ -41,6 +41,8 @@ struct Json<'a> {
     texels: Vec<JsonTexel<'a>>,
     linear: [f32; 3],
     srgb8: [u8; 3],
+    /// The same after the fix, null if there is nothing to fix.
+    after_fix: Option<Box<Json<'a>>>,
 }
 
 #[derive(Serialize)]
@@ -58,8 +60,13 @@ struct JsonTexel<'a> {
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl ProbeReport<'_> {
-    /// The report for machines.
-    pub fn to_json(&self) -> String {
+    /// The report for machines, with that after the fix in it.
+    pub fn to_json(&self, after_fix: Option<&Self>) -> String {
+        let after_fix = after_fix.map(|report| Box::new(report.json(None)));
+        serde_json::to_string_pretty(&self.json(after_fix)).expect("a report is plain data")
+    }
+
+    fn json<'b>(&'b self, after_fix: Option<Box<Json<'b>>>) -> Json<'b> {
         let probe = self.probe;
         let texels = probe.texels.iter().map(|texel| JsonTexel {
             image: texel.place.map(|place| place.image),
@@ -70,7 +77,7 @@ impl ProbeReport<'_> {
             linear: texel.colour.to_array(),
             srgb8: codes(texel.colour),
         });
-        let json = Json {
+        Json {
             map: self.map,
             lookup: self.lookup,
             direction: probe.direction.to_array(),
@@ -91,8 +98,8 @@ impl ProbeReport<'_> {
             texels: texels.collect(),
             linear: probe.colour.to_array(),
             srgb8: codes(probe.colour),
-        };
-        serde_json::to_string_pretty(&json).expect("a report is plain data")
+            after_fix,
+        }
     }
 
     fn file(&self, image: Face) -> &str {
