@@ -26,6 +26,8 @@ pub mod integrators;
 
 pub mod render;
 
+pub mod validate;
+
 pub mod report;
 
 pub mod commands;

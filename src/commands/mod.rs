@@ -1,10 +1,15 @@
 //! The commands: arguments in, results on stdout, complaints on stderr, an exit code out.
 
 mod bake;
+mod check;
+mod cross;
 mod interrupt;
+mod map_options;
 mod options;
+mod probe;
 mod progress_bar;
 mod render;
+mod shots;
 
 use std::process::ExitCode;
 
@@ -36,6 +41,14 @@ enum Command {
     Render(render::RenderArguments),
     /// Render the surroundings of a point to the six faces of a cube map
     Bake(bake::BakeArguments),
+    /// Check whether the six pictures of a skybox fit together
+    Check(check::CheckArguments),
+    /// Draw a map unfolded, as the lookup shows it, with its seams
+    Cross(cross::CrossArguments),
+    /// Follow the lookup of one direction step by step
+    Probe(probe::ProbeArguments),
+    /// Render what a camera sees along the six axes of a map, and a contact sheet
+    Shots(shots::ShotsArguments),
 }
 
 /// Runs the command line of this process.
@@ -43,6 +56,10 @@ pub fn run() -> ExitCode {
     let result = match CommandLine::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
+        Command::Check(arguments) => check::run(&arguments),
+        Command::Cross(arguments) => cross::run(&arguments),
+        Command::Probe(arguments) => probe::run(&arguments),
+        Command::Shots(arguments) => shots::run(&arguments),
     };
     exit_code(result)
 }

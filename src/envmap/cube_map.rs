@@ -56,6 +56,11 @@ impl CubeMap {
         Self { lookup, ..self }
     }
 
+    /// The same pictures read another way between texels.
+    pub fn with_filter(self, filter: CubeFilter) -> Self {
+        Self { filter, ..self }
+    }
+
     /// Linear colour seen in a direction of any length; black if the image cannot be decoded, see
     /// [`CubeMap::errors`].
     #[inline]
@@ -90,8 +95,8 @@ impl CubeMap {
         self.images.iter().filter_map(LazyImage::error)
     }
 
-    /// The picture of a face, if it can be decoded.
-    pub(super) fn face_picture(&self, face: Face) -> Option<&Picture> {
-        self.images[self.lookup.row(face).image.index()].picture()
+    /// The picture an image name stands for, if it can be decoded.
+    pub(super) fn image_picture(&self, image: Face) -> Option<&Picture> {
+        self.images[image.index()].picture()
     }
 }

@@ -1,5 +1,6 @@
 //! The six faces of a cube.
 
+use super::axis::SignedAxis;
 use crate::math::Vec3;
 
 /// A face of the cube, named after the axis it lies on.
@@ -47,6 +48,11 @@ impl Face {
     /// The name in the course's C++ code: `POS_X`.
     pub fn constant_name(self) -> &'static str {
         ["POS_X", "NEG_X", "POS_Y", "NEG_Y", "POS_Z", "NEG_Z"][self.index()]
+    }
+
+    /// The axis through the middle of the face, outwards.
+    pub fn signed_axis(self) -> SignedAxis {
+        SignedAxis { axis: self.axis() as u8, negative: self.index() % 2 == 1 }
     }
 
     /// The unit direction through the middle of the face.

@@ -9,6 +9,7 @@ mod laying;
 mod lazy_image;
 mod lookup;
 mod preset;
+mod probe;
 mod seamless;
 pub mod source;
 
@@ -21,6 +22,7 @@ pub use laying::{ImageOperation, Laying};
 pub use lazy_image::{Decoder, LazyImage};
 pub use lookup::{FaceLookup, FacePoint, ImagePoint, Lookup, VOrigin};
 pub use preset::Preset;
+pub use probe::{Probe, ProbedTexel, TexelPlace};
 
 #[cfg(test)]
 mod tests;

@@ -12,31 +12,71 @@
 //! (as in the OpenGL extension ARB_seamless_cube_map).
 
 use super::cube_map::CubeMap;
-use super::lookup::FacePoint;
+use super::lookup::{FacePoint, ImagePoint};
 use crate::math::Vec3;
 use crate::picture::Picture;
 
+/// The four texels around a place near the border of a face, on the face itself and its neighbours.
+pub(super) struct Corners {
+    /// The texel centres at (low u, low v), (high u, low v), (low u, high v), (high u, high v); `None` beyond a corner of
+    /// the cube.
+    pub places: [Option<ImagePoint>; 4],
+    /// Share of the high u.
+    across: f32,
+    /// Share of the high v.
+    along: f32,
+}
+
 /// The colour at a place on the cube, from the four nearest texel centres on this face and its neighbours.
 pub(super) fn sample(map: &CubeMap, point: FacePoint, picture: &Picture) -> Vec3 {
-    let size = picture.width() as f32;
-    // Texel centres are at half integers.
-    let (x, y) = (point.u * size - 0.5, point.v * size - 0.5);
-    let (left, low) = (x.floor(), y.floor());
-    let (across, along) = (x - left, y - low);
-    let inside = left >= 0.0 && low >= 0.0 && left + 1.0 < size && low + 1.0 < size;
-    if inside {
-        return map.lookup().image_point(point).bilinear(picture);
+    match Corners::new(map, point, picture.width()) {
+        Some(corners) => corners.blend(corners.colours(map)),
+        None => map.lookup().image_point(point).bilinear(picture),
     }
-    let corners = [(left, low), (left + 1.0, low), (left, low + 1.0), (left + 1.0, low + 1.0)];
-    let texels = corners.map(|(i, j)| texel(map, point, size, i, j));
-    let known: Vec3 = texels.iter().flatten().copied().sum();
-    let count = texels.iter().flatten().count().max(1) as f32;
-    let [a, b, c, d] = texels.map(|texel| texel.unwrap_or(known / count));
-    (a * (1.0 - across) + b * across) * (1.0 - along) + (c * (1.0 - across) + d * across) * along
+}
+
+impl Corners {
+    /// The texels around a place on a face of `size` texels. `None` if they all lie inside the face.
+    pub fn new(map: &CubeMap, point: FacePoint, size: usize) -> Option<Self> {
+        let size = size as f32;
+        // Texel centres are at half integers.
+        let (x, y) = (point.u * size - 0.5, point.v * size - 0.5);
+        let (left, low) = (x.floor(), y.floor());
+        let inside = left >= 0.0 && low >= 0.0 && left + 1.0 < size && low + 1.0 < size;
+        if inside {
+            return None;
+        }
+        let corners = [(left, low), (left + 1.0, low), (left, low + 1.0), (left + 1.0, low + 1.0)];
+        let places = corners.map(|(i, j)| texel(map, point, size, i, j));
+        Some(Self { places, across: x - left, along: y - low })
+    }
+
+    /// The colours of the four texels; one that does not exist is the mean of the others.
+    pub fn colours(&self, map: &CubeMap) -> [Vec3; 4] {
+        let texels = self.places.map(|place| {
+            let place = place?;
+            Some(place.nearest(map.image_picture(place.image)?))
+        });
+        let known: Vec3 = texels.iter().flatten().copied().sum();
+        let count = texels.iter().flatten().count().max(1) as f32;
+        texels.map(|texel| texel.unwrap_or(known / count))
+    }
+
+    /// The mean of the four colours by their distances.
+    pub fn blend(&self, [a, b, c, d]: [Vec3; 4]) -> Vec3 {
+        let (across, along) = (self.across, self.along);
+        (a * (1.0 - across) + b * across) * (1.0 - along) + (c * (1.0 - across) + d * across) * along
+    }
+
+    /// What each of the four counts in [`Corners::blend`].
+    pub fn weights(&self) -> [f32; 4] {
+        let (across, along) = (self.across, self.along);
+        [(1.0 - across) * (1.0 - along), across * (1.0 - along), (1.0 - across) * along, across * along]
+    }
 }
 
 /// The texel in column `i` and row `j` counted along u and v; `None` beyond a corner of the cube.
-fn texel(map: &CubeMap, point: FacePoint, size: f32, i: f32, j: f32) -> Option<Vec3> {
+fn texel(map: &CubeMap, point: FacePoint, size: f32, i: f32, j: f32) -> Option<ImagePoint> {
     let row = map.lookup().row(point.face);
     // Coordinates of the texel centre on the face's plane, the face being [-1, 1].
     let (a, b) = ((2.0 * i + 1.0) / size - 1.0, (2.0 * j + 1.0) / size - 1.0);
@@ -48,7 +88,5 @@ fn texel(map: &CubeMap, point: FacePoint, size: f32, i: f32, j: f32) -> Option<V
     let direction = point.face.normal() * (1.0 - beyond_a - beyond_b)
         + row.u.direction() * a.clamp(-1.0, 1.0)
         + row.v.direction() * b.clamp(-1.0, 1.0);
-    let place = map.lookup().locate(direction);
-    let neighbour = map.face_picture(place.face)?;
-    Some(map.lookup().image_point(place).nearest(neighbour))
+    Some(map.lookup().image_point(map.lookup().locate(direction)))
 }

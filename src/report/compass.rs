@@ -20,7 +20,7 @@
 use tiny_skia::{IntSize, Pixmap};
 
 use super::compass_marks::draw_marks;
-use crate::envmap::Face;
+use crate::envmap::{Face, Preset};
 use crate::math::Vec3;
 use crate::picture::{Format, Header, Picture, Texels};
 
@@ -40,7 +40,7 @@ const SAMPLES: usize = 3;
 pub fn draw_compass_face(face: Face, size: usize) -> Picture {
     let frame = FaceFrame::opengl(face);
     let mut pixmap = draw_background(&frame, size);
-    draw_marks(&mut pixmap.as_mut(), &frame);
+    draw_marks(pixmap.as_mut(), &frame);
     let texels = pixmap.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
     let header = Header { width: size, height: size, format: Format::Png, bit_depth: 8, alpha: false };
     Picture::new(header, Texels::Srgb8(texels))
@@ -56,17 +56,10 @@ pub(super) struct FaceFrame {
 }
 
 impl FaceFrame {
-    /// The row of the `opengl` table for this face.
+    /// The row of the `opengl` table for this face, where v = 0 is the top row.
     pub fn opengl(face: Face) -> Self {
-        let (right, below) = match face {
-            Face::PosX => (Face::NegZ, Face::NegY),
-            Face::NegX => (Face::PosZ, Face::NegY),
-            Face::PosY => (Face::PosX, Face::PosZ),
-            Face::NegY => (Face::PosX, Face::NegZ),
-            Face::PosZ => (Face::PosX, Face::NegY),
-            Face::NegZ => (Face::NegX, Face::NegY),
-        };
-        Self { face, right, below }
+        let row = Preset::Opengl.lookup().row(face);
+        Self { face, right: row.u.face(), below: row.v.face() }
     }
 
     /// The point of the cube's surface at face coordinates `s` (growing u) and `t` (growing v), -1 to 1.

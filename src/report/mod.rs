@@ -1,12 +1,30 @@
 //! What the tool says and draws. Only this module draws.
 
+mod canvas;
+mod check_report;
 mod compass;
 mod compass_marks;
+mod contact_sheet;
+mod cross_drawing;
+mod cross_layout;
+mod cross_legend;
+mod drawing;
+mod probe_report;
 mod render_report;
+mod seam_mark;
+mod shots_report;
 mod text_drawing;
 
+pub use check_report::{CheckReport, failed_check_json};
 pub use compass::draw_compass_face;
+pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
+pub use cross_drawing::{CrossInput, draw_cross};
+pub use cross_layout::{CrossCell, CrossEdge, CrossLayout, Side};
+pub use drawing::Drawing;
+pub use probe_report::ProbeReport;
 pub use render_report::RenderReport;
+pub use seam_mark::SeamMark;
+pub use shots_report::ShotsReport;
 pub use text_drawing::{Anchor, draw_text, text_path, text_width};
 
 #[cfg(test)]

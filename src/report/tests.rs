@@ -2,7 +2,8 @@ use std::path::Path;
 
 use super::compass::{FaceFrame, GRADIENT};
 use super::*;
-use crate::envmap::Face;
+use crate::colour::ToneMap;
+use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Preset, SignedAxis};
 use crate::picture::{self, Picture};
 
 const SIZE: usize = 64;
@@ -100,4 +101,30 @@ fn font_holds_printable_ascii() {
         assert!(outline.is_some(), "{character}");
         assert_ne!(outline, text_path("\u{fff0}", 20.0, Anchor::Start), "{character} is not in the font");
     }
+}
+
+/// The mean step across each seam through `CubeMap::sample`, of 255 linear display units of the drawing.
+#[test]
+fn the_seams_of_the_compass_close_through_the_lookups_of_downloads() {
+    for preset in Preset::ALL {
+        let images = Face::ALL.map(|face| LazyImage::ready(draw_compass_face(face, SIZE)));
+        let map = CubeMap::new(images, preset.lookup(), CubeFilter::Nearest);
+        let edges = CrossLayout::new(SignedAxis::POS_Z).edges;
+        let worst = edges.iter().map(|edge| sampled_step(&map, edge.faces)).fold(0.0, f32::max);
+        let gradient = 255.0 * GRADIENT * (2.0 / 3.0) / SIZE as f32;
+        // `course` reads a y-up download under the wrong names, `exercise` is wrong on purpose.
+        let closes = !matches!(preset, Preset::Course | Preset::Exercise);
+        assert_eq!(worst < 1.5 * gradient, closes, "{}: {worst}, the gradient alone {gradient}", preset.name());
+    }
+}
+
+fn sampled_step(map: &CubeMap, [one, other]: [Face; 2]) -> f32 {
+    let free = Face::on_axis(3 - one.axis() - other.axis(), true).normal();
+    let colour = |face: Face, neighbour: Face, texel: usize| {
+        let along = (2 * texel + 1) as f32 / SIZE as f32 - 1.0;
+        let direction = face.normal() + (1.0 - 1.0 / SIZE as f32) * neighbour.normal() + along * free;
+        ToneMap::Clamp.display(map.sample(direction)) * 255.0
+    };
+    let step = |texel| (colour(one, other, texel) - colour(other, one, texel)).abs().element_sum() / 3.0;
+    (0..SIZE).map(step).sum::<f32>() / SIZE as f32
 }

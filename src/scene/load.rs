@@ -46,6 +46,21 @@ impl Scene {
         Self::from_document(&Document::new(file, text), file, None)
     }
 
+    /// A scene without shapes or lights: every ray takes the environment. One sample a pixel.
+    pub fn of_environment(environment: Environment, camera: Camera) -> Self {
+        Self {
+            camera,
+            samples: 1,
+            integrator: IntegratorSettings::default(),
+            output: OutputSettings::default(),
+            environment,
+            materials: Vec::new(),
+            lights: Vec::new(),
+            shapes: Aggregate::new(Vec::new()),
+            sources: Vec::new(),
+        }
+    }
+
     fn from_document(document: &Document, file: &Path, map_override: Option<PathBuf>) -> Result<Self> {
         let parsed = document.parse()?;
         let mut root = document.root(&parsed);

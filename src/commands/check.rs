@@ -1,0 +1,154 @@
+//! `skycube check`: whether six pictures fit together, and what to change if not.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::Outcome;
+use super::options::read_lookup;
+use crate::envmap::SignedAxis;
+use crate::envmap::source::Skybox;
+use crate::error::{Error, Result};
+use crate::report::CheckReport;
+use crate::validate::{Check, CheckOptions, ImageFacts, Names, Verdict, check, load};
+
+/// How a map is to be looked at; shared by all commands that check one.
+#[derive(Debug, Args)]
+pub struct ValidationOptions {
+    /// The lookup that reads the map: a preset or a TOML file with a table
+    #[arg(long, value_name = "NAME|FILE.toml", default_value = "opengl")]
+    pub lookup: String,
+    /// The axis that points up in your world
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub world_up: Option<SignedAxis>,
+    /// Images may not change places
+    #[arg(long, conflicts_with = "any_order")]
+    pub trust_names: bool,
+    /// The names of the images mean nothing
+    #[arg(long)]
+    pub any_order: bool,
+}
+
+impl ValidationOptions {
+    pub fn check_options(&self) -> CheckOptions {
+        let names = match (self.trust_names, self.any_order) {
+            (true, _) => Names::Trusted,
+            (_, true) => Names::AnyOrder,
+            _ => Names::Auto,
+        };
+        CheckOptions { world_up: self.world_up, names, lookup_name: self.lookup.clone() }
+    }
+
+    /// Opens and checks a map.
+    pub fn check(&self, skybox: &Skybox) -> Result<Check> {
+        let map = load(skybox, read_lookup(&self.lookup)?)?;
+        check(&map, ImageFacts::of_skybox(skybox), &self.check_options())
+    }
+}
+
+#[derive(Debug, Args)]
+pub struct CheckArguments {
+    /// Folders, zips, crosses or strips; or a folder of maps
+    #[arg(required = true, value_name = "MAP")]
+    maps: Vec<PathBuf>,
+    #[command(flatten)]
+    validation: ValidationOptions,
+    /// Exit with 1 for undecidable maps too
+    #[arg(long)]
+    strict: bool,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Checks one map in full, or several with a line each.
+pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
+    read_lookup(&arguments.validation.lookup)?;
+    if let [map] = &arguments.maps[..] {
+        match Skybox::open_lenient(map) {
+            Ok(skybox) => return check_one(map, &skybox, arguments),
+            Err(error) => {
+                let inside = maps_inside(map);
+                return if inside.is_empty() { Err(error) } else { check_several(&inside, arguments) };
+            }
+        }
+    }
+    check_several(&arguments.maps, arguments)
+}
+
+fn check_one(map: &std::path::Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<Outcome> {
+    let check = arguments.validation.check(skybox)?;
+    let report = CheckReport::new(map.display().to_string(), &check);
+    if arguments.json {
+        println!("{}", report.to_json());
+    } else {
+        print!("{report}");
+    }
+    Ok(outcome(check.verdict, arguments.strict))
+}
+
+/// The maps in a folder of maps, sorted: what lies in it and opens as one.
+fn maps_inside(folder: &std::path::Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    let is_map = |path: &PathBuf| path.is_dir() || Skybox::open_lenient(path).is_ok();
+    paths.retain(is_map);
+    paths
+}
+
+fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome> {
+    let mut counts = [0; 3];
+    let mut failed = 0;
+    let mut reports = Vec::new();
+    for map in maps {
+        match Skybox::open_lenient(map).and_then(|skybox| arguments.validation.check(&skybox)) {
+            Ok(check) => {
+                counts[check.verdict as usize] += 1;
+                let report = CheckReport::new(map.display().to_string(), &check);
+                if arguments.json {
+                    reports.push(report.to_json());
+                } else {
+                    println!("{}", report.line());
+                }
+            }
+            Err(error) => {
+                failed += 1;
+                if arguments.json {
+                    reports.push(crate::report::failed_check_json(&map.display().to_string(), &error));
+                } else {
+                    println!("{}: cannot be checked: {}", map.display(), error.problem());
+                }
+                eprintln!("error: {error}");
+            }
+        }
+    }
+    let [fits, broken, undecidable] = counts;
+    if arguments.json {
+        println!("[\n{}\n]", reports.join(",\n"));
+    } else {
+        println!(
+            "{} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked",
+            maps.len()
+        );
+    }
+    if failed > 0 {
+        return Err(Error::new(format!("{failed} of {} maps could not be checked", maps.len())));
+    }
+    let worst = if broken > 0 {
+        Verdict::Broken
+    } else if undecidable > 0 {
+        Verdict::Undecidable
+    } else {
+        Verdict::Fits
+    };
+    Ok(outcome(worst, arguments.strict))
+}
+
+fn outcome(verdict: Verdict, strict: bool) -> Outcome {
+    match verdict {
+        Verdict::Fits => Outcome::Clean,
+        Verdict::Undecidable if !strict => Outcome::Clean,
+        _ => Outcome::Faults,
+    }
+}

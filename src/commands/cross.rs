@@ -1,0 +1,82 @@
+//! `skycube cross`: the cube unfolded, as the lookup shows it.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::Outcome;
+use super::map_options::{OpenMap, ViewOptions};
+use super::options::refuse_to_overwrite_sources;
+use crate::colour::ToneMap;
+use crate::envmap::{CubeMap, Face, SignedAxis};
+use crate::error::{Error, Result};
+use crate::picture::{OutputFormat, check_target};
+use crate::report::{CrossInput, Drawing, SeamMark, draw_cross};
+use crate::validate::Seam;
+
+#[derive(Debug, Args)]
+pub struct CrossArguments {
+    #[command(flatten)]
+    view: ViewOptions,
+    /// The picture to write, a .png
+    #[arg(short, long, value_name = "PICTURE")]
+    output: PathBuf,
+    /// Side of a face in pixels
+    #[arg(long, value_name = "PIXELS", default_value_t = 256, value_parser = clap::value_parser!(u32).range(64..=4096))]
+    cell: u32,
+    /// Draw before and after the fix side by side
+    #[arg(long)]
+    fixed: bool,
+    /// How radiance above 1 is brought into range
+    #[arg(long, value_enum, default_value = "clamp")]
+    tone_map: ToneMap,
+}
+
+/// Draws, writes, and says where.
+pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
+    let map = arguments.view.map.open()?;
+    let (world_up, assumption) = arguments.view.world_up();
+    if OutputFormat::of_path(&arguments.output)? != OutputFormat::Png {
+        return Err(Error::new("a drawing is written as PNG").in_file(&arguments.output).expected("a name with .png"));
+    }
+    refuse_to_overwrite_sources(&arguments.output, &map.sources)?;
+    check_target(&arguments.output)?;
+    let (cube_map, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
+    let heading = format!("{} through {}", map.name, map.lookup_name);
+    let mut drawing = draw(arguments, &map, &cube_map, &check.seams, world_up, &heading);
+    if arguments.fixed && check.fix.changes > 0 {
+        let fixed = cube_map.with_lookup(check.fix.lookup(&map.lookup));
+        let heading = format!("{heading}, fixed");
+        drawing = drawing.beside(&draw(arguments, &map, &fixed, &check.fix.seams_after, world_up, &heading));
+    }
+    drawing.write(&arguments.output)?;
+    if let Some(assumption) = assumption {
+        println!("{assumption}");
+    }
+    if arguments.fixed && check.fix.changes == 0 {
+        println!("nothing to fix: drawn once");
+    }
+    println!("wrote {}: {} x {} pixels", arguments.output.display(), drawing.width(), drawing.height());
+    Ok(Outcome::Clean)
+}
+
+/// The cross of the map under the lookup of `map`.
+fn draw(
+    arguments: &CrossArguments,
+    open: &OpenMap,
+    map: &CubeMap,
+    seams: &[Seam],
+    world_up: SignedAxis,
+    heading: &str,
+) -> Drawing {
+    let marks: Vec<SeamMark> = seams.iter().map(SeamMark::from).collect();
+    draw_cross(&CrossInput {
+        map,
+        world_up,
+        files: &Face::ALL.map(|face| open.skybox.image(map.lookup().row(face).image).name().to_owned()),
+        marks: &marks,
+        heading,
+        cell: arguments.cell as usize,
+        tone_map: arguments.tone_map,
+    })
+}

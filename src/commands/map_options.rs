@@ -1,0 +1,102 @@
+//! The options of commands that look at a map under a lookup.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::options::read_lookup;
+use crate::envmap::source::Skybox;
+use crate::envmap::{CubeFilter, CubeMap, Face, Lookup, Preset, SignedAxis};
+use crate::error::Result;
+use crate::validate::{Check, CheckOptions, ImageFacts, check, load};
+
+/// A map and the lookup it is seen through.
+#[derive(Debug, Args)]
+pub struct MapOptions {
+    /// The map: a folder, a zip, a cross or strip picture, an OpenEXR cube
+    map: PathBuf,
+    /// The lookup: a preset or a TOML file
+    #[arg(long, default_value = "opengl")]
+    lookup: String,
+}
+
+/// How a map is seen.
+#[derive(Debug, Args)]
+pub struct ViewOptions {
+    #[command(flatten)]
+    pub map: MapOptions,
+    /// How colours between texels are read
+    #[arg(long, value_enum, default_value = "bilinear")]
+    pub filter: CubeFilter,
+    /// The axis that points upwards in the world [default: +y for opengl and humus-y-up, else +z]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    pub world_up: Option<SignedAxis>,
+}
+
+/// A map that is open: names and headers are read, pixels are not.
+#[derive(Debug)]
+pub struct OpenMap {
+    pub skybox: Skybox,
+    pub lookup: Lookup,
+    /// Where the map is.
+    pub path: PathBuf,
+    /// The map's file or folder name, for headings.
+    pub name: String,
+    /// The lookup as the user called it.
+    pub lookup_name: String,
+    /// Files that must not be overwritten.
+    pub sources: Vec<PathBuf>,
+}
+
+impl MapOptions {
+    /// Opens the map and reads the lookup.
+    pub fn open(&self) -> Result<OpenMap> {
+        let lookup = read_lookup(&self.lookup)?;
+        let skybox = Skybox::open(&self.map)?;
+        let mut sources = skybox.files();
+        sources.push(PathBuf::from(&self.lookup));
+        let name =
+            self.map.file_name().map_or_else(|| self.map.display().to_string(), |name| name.display().to_string());
+        Ok(OpenMap { skybox, lookup, path: self.map.clone(), name, lookup_name: self.lookup.clone(), sources })
+    }
+}
+
+impl OpenMap {
+    /// The map under a lookup, with nothing decoded yet.
+    pub fn cube_map(&self, lookup: Lookup, filter: CubeFilter) -> CubeMap {
+        CubeMap::from_skybox(&self.skybox, lookup, filter)
+    }
+
+    /// The map under its lookup, all images decoded on all cores, and what the validator says of it. `world_up` is the
+    /// axis that the user named.
+    pub fn checked(&self, filter: CubeFilter, world_up: Option<SignedAxis>) -> Result<(CubeMap, Check)> {
+        let map = load(&self.skybox, self.lookup)?;
+        let options = CheckOptions { world_up, lookup_name: self.lookup_name.clone(), ..CheckOptions::default() };
+        let check = check(&map, ImageFacts::of_skybox(&self.skybox), &options)?;
+        Ok((map.with_filter(filter), check))
+    }
+
+    /// The image that a face reads, and its file: `posz (Meadow.zip/posz.jpg)`.
+    pub fn image_of(&self, lookup: &Lookup, face: Face) -> String {
+        let image = lookup.row(face).image;
+        format!("{} ({})", image.name(), self.skybox.image(image).name())
+    }
+}
+
+impl ViewOptions {
+    /// The world's up axis, and a sentence if the lookup's name had to tell it.
+    pub fn world_up(&self) -> (SignedAxis, Option<String>) {
+        if let Some(world_up) = self.world_up {
+            return (world_up, None);
+        }
+        let name = &self.map.lookup;
+        let world_up = match Preset::named(name) {
+            Some(Preset::Opengl | Preset::HumusYUp) => SignedAxis::POS_Y,
+            _ => SignedAxis::POS_Z,
+        };
+        (
+            world_up,
+            Some(format!("assumed a world with {world_up} up, for the lookup {name}: --world-up says otherwise")),
+        )
+    }
+}

@@ -1,0 +1,259 @@
+//! The report of `skycube check`, as text and as JSON.
+//!
+//! The JSON has these keys, in this order; numbers are rounded to the digits that are stable:
+//!
+//! ```text
+//! map, lookup
+//! images:     [ { face, file, width, height, format } ]                       six, by name
+//! verdict:    fits | broken | undecidable
+//! seams:      [ { edge, step, detail, score, verdict } ]                      twelve, as they are now
+//! fix:        { faces: [ { face, image, u, v, image_operation, decided } ],   six; u, v of those the lookup computes
+//!               changes, convention, margin, seams_after, equivalents }
+//! handedness: { mirrored: [ face ] }
+//! notes:      [ text ]
+//! ```
+
+use std::fmt;
+
+use crate::envmap::{Laying, Lookup};
+use crate::validate::{Check, FaceFix, Seam, Verdict};
+
+/// A check of a map, to be printed.
+pub struct CheckReport<'a> {
+    map: String,
+    check: &'a Check,
+}
+
+impl<'a> CheckReport<'a> {
+    pub fn new(map: String, check: &'a Check) -> Self {
+        Self { map, check }
+    }
+
+    /// The report for machines.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(&Json::of(self)).expect("a report is plain data")
+    }
+
+    /// The report in one line: verdict, and what to do.
+    pub fn line(&self) -> String {
+        let Check { verdict, fix, .. } = self.check;
+        let what = match (verdict, fix.convention) {
+            (Verdict::Broken, Some(convention)) => format!(": {convention}"),
+            (Verdict::Broken, None) if fix.changes > 0 => {
+                let changed = self.changed().map(|face| self.change(face)).collect::<Vec<_>>();
+                format!(": {}", changed.join("; "))
+            }
+            (Verdict::Broken, None) => self.check.notes.first().map_or(String::new(), |note| format!(": {note}")),
+            _ => String::new(),
+        };
+        format!("{}: {}{what}", self.map, verdict.name())
+    }
+
+    fn changed(&self) -> impl Iterator<Item = &FaceFix> {
+        self.check.fix.faces.iter().filter(|face| !face.is_unchanged(&self.check.lookup))
+    }
+
+    /// `posx u = 1-u`, `posz reads negz`.
+    fn change(&self, fix: &FaceFix) -> String {
+        let mut parts = Vec::new();
+        if fix.image != self.check.lookup.row(fix.face).image {
+            parts.push(format!("reads {}", fix.image.name()));
+        }
+        parts.extend(formulas(fix));
+        format!("{} {}", fix.face.name(), parts.join(", "))
+    }
+}
+
+/// The entry of a map that could not be checked, among the reports on several.
+pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
+    #[derive(serde::Serialize)]
+    struct Failed<'a> {
+        map: &'a str,
+        error: String,
+    }
+    serde_json::to_string_pretty(&Failed { map, error: error.to_string() }).expect("plain data")
+}
+
+/// The assignments that differ from u = u, v = v.
+fn formulas(fix: &FaceFix) -> Vec<String> {
+    let (u, v) = fix.laying.formulas();
+    let changed = [("u", u), ("v", v)].into_iter().filter(|(name, formula)| name != formula);
+    changed.map(|(name, formula)| format!("{name} = {formula}")).collect()
+}
+
+#[derive(serde::Serialize)]
+struct Json<'a> {
+    map: &'a str,
+    lookup: &'a str,
+    images: Vec<JsonImage<'a>>,
+    verdict: Verdict,
+    seams: Vec<JsonSeam>,
+    fix: JsonFix,
+    handedness: JsonHandedness,
+    notes: Vec<String>,
+}
+
+#[derive(serde::Serialize)]
+struct JsonImage<'a> {
+    face: &'static str,
+    file: &'a str,
+    width: usize,
+    height: usize,
+    format: crate::picture::Format,
+}
+
+#[derive(serde::Serialize)]
+struct JsonSeam {
+    edge: String,
+    step: f64,
+    detail: f64,
+    score: f64,
+    verdict: Verdict,
+}
+
+#[derive(serde::Serialize)]
+struct JsonFix {
+    faces: Vec<JsonFaceFix>,
+    changes: usize,
+    convention: Option<&'static str>,
+    margin: f64,
+    seams_after: Vec<JsonSeam>,
+    equivalents: usize,
+}
+
+#[derive(serde::Serialize)]
+struct JsonFaceFix {
+    face: &'static str,
+    image: &'static str,
+    u: &'static str,
+    v: &'static str,
+    image_operation: &'static str,
+    decided: bool,
+}
+
+#[derive(serde::Serialize)]
+struct JsonHandedness {
+    mirrored: Vec<&'static str>,
+}
+
+impl<'a> Json<'a> {
+    fn of(report: &'a CheckReport<'a>) -> Self {
+        let check = report.check;
+        let images = check.images.iter().map(|image| JsonImage {
+            face: image.face.name(),
+            file: &image.file,
+            width: image.width,
+            height: image.height,
+            format: image.format,
+        });
+        Self {
+            map: &report.map,
+            lookup: &check.lookup_name,
+            images: images.collect(),
+            verdict: check.verdict,
+            seams: seams(&check.seams),
+            fix: JsonFix {
+                faces: check.fix.faces.iter().map(|fix| face_fix(fix, &check.lookup)).collect(),
+                changes: check.fix.changes,
+                convention: check.fix.convention.map(|convention| convention.name()),
+                margin: rounded(check.fix.margin, 1),
+                seams_after: seams(&check.fix.seams_after),
+                equivalents: check.fix.equivalents,
+            },
+            handedness: JsonHandedness { mirrored: check.mirrored.iter().map(|face| face.name()).collect() },
+            notes: check.notes.iter().map(ToString::to_string).collect(),
+        }
+    }
+}
+
+fn face_fix(fix: &FaceFix, lookup: &Lookup) -> JsonFaceFix {
+    let (u, v) = fix.laying.formulas();
+    JsonFaceFix {
+        face: fix.face.name(),
+        image: fix.image.name(),
+        u,
+        v,
+        image_operation: fix.laying.image_operation(lookup.v_origin()).name(),
+        decided: fix.decided,
+    }
+}
+
+fn seams(seams: &[Seam]) -> Vec<JsonSeam> {
+    let seam = |seam: &Seam| JsonSeam {
+        edge: seam.edge.name(),
+        step: rounded(seam.step, 2),
+        detail: rounded(seam.detail, 2),
+        score: rounded(seam.score, 2),
+        verdict: seam.verdict,
+    };
+    seams.iter().map(seam).collect()
+}
+
+/// A number with so many decimals.
+fn rounded(number: f64, decimals: i32) -> f64 {
+    let scale = [1.0, 10.0, 100.0, 1000.0][decimals as usize];
+    (number * scale).round() / scale
+}
+
+impl fmt::Display for CheckReport<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Check { verdict, fix, lookup_name, .. } = self.check;
+        writeln!(formatter, "{}: {} under the lookup {lookup_name}", self.map, verdict.name())?;
+        if let Some(convention) = fix.convention {
+            writeln!(formatter, "  {convention}")?;
+        }
+        for face in self.changed() {
+            self.write_change(face, formatter)?;
+        }
+        writeln!(
+            formatter,
+            "\n  seam    step  detail  score  verdict{}",
+            if fix.changes > 0 { "      after the fix" } else { "" }
+        )?;
+        for (before, after) in self.check.seams.iter().zip(&fix.seams_after) {
+            let Seam { edge, step, detail, score, verdict } = before;
+            write!(formatter, "  {}  {step:6.2}  {detail:6.2} {score:6.2}  {}", edge.name(), verdict.name())?;
+            if fix.changes > 0 {
+                let gap = 12 - verdict.name().len();
+                write!(formatter, "{:gap$} {:6.2} {}", "", after.score, after.verdict.name())?;
+            }
+            writeln!(formatter)?;
+        }
+        writeln!(
+            formatter,
+            "  score = mean step across the seam / mean step from texel to texel inside both faces (of 255; at least 0.5)"
+        )?;
+        writeln!(
+            formatter,
+            "\n  margin {:.1}: standard errors by which the next different laying is worse; equally good ones: {}",
+            fix.margin, fix.equivalents
+        )?;
+        for note in &self.check.notes {
+            writeln!(formatter, "  note: {note}")?;
+        }
+        Ok(())
+    }
+}
+
+impl CheckReport<'_> {
+    fn write_change(&self, fix: &FaceFix, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let check = self.check;
+        let file = &check.images[fix.image.index()].file;
+        let mut code = Vec::new();
+        if fix.image != check.lookup.row(fix.face).image {
+            code.push(format!("image = {};", fix.image.name().to_uppercase()));
+        }
+        code.extend(formulas(fix).iter().map(|formula| format!("{formula};")));
+        writeln!(formatter, "  {} ({file})", fix.face.name())?;
+        writeln!(formatter, "    in the code: case {}: {}", fix.face.constant_name(), code.join(" "))?;
+        let mut file_change = Vec::new();
+        if fix.image != check.lookup.row(fix.face).image {
+            file_change.push(format!("read {file} as {}", fix.face.name()));
+        }
+        if fix.laying != Laying::IDENTITY {
+            file_change.push(fix.laying.image_operation(check.lookup.v_origin()).name().to_owned());
+        }
+        let doubt = if fix.decided { "" } else { " (undecided)" };
+        writeln!(formatter, "    or the file: {}{doubt}", file_change.join(", "))
+    }
+}

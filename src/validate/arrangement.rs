@@ -1,0 +1,117 @@
+//! A way to lay six images on the faces of the cube.
+
+use super::edge::{Edge, EdgeBorders};
+use super::pair_cost::{PairCosts, UNITS, Units, border_index};
+use crate::envmap::{Face, Laying};
+
+/// Per face the image it reads and how that is laid, relative to the given lookup.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Arrangement {
+    pub images: [Face; 6],
+    /// Indices into [`Laying::ALL`].
+    pub layings: [usize; 6],
+}
+
+impl Arrangement {
+    /// What the lookup does now.
+    pub fn given(images: [Face; 6]) -> Self {
+        Self { images, layings: [0; 6] }
+    }
+
+    pub fn laying(&self, face: Face) -> Laying {
+        Laying::ALL[self.layings[face.index()]]
+    }
+
+    pub fn with_laying(mut self, face: Face, laying: usize) -> Self {
+        self.layings[face.index()] = laying;
+        self
+    }
+}
+
+/// The map's borders under the given lookup: what all arrangements are judged by.
+#[derive(Debug, Clone)]
+pub struct Puzzle {
+    pub borders: EdgeBorders,
+    pub costs: PairCosts,
+}
+
+impl Puzzle {
+    /// The cost of one edge.
+    pub fn edge_cost(&self, arrangement: &Arrangement, edge: usize) -> f64 {
+        let (images, borders) = self.ends(arrangement, edge);
+        self.costs.total(images, borders)
+    }
+
+    pub fn edge_units(&self, arrangement: &Arrangement, edge: usize) -> &Units {
+        let (images, borders) = self.ends(arrangement, edge);
+        self.costs.units(images, borders)
+    }
+
+    /// The images and borders that meet at an edge.
+    pub fn ends(&self, arrangement: &Arrangement, edge: usize) -> ([Face; 2], [super::edge::Border; 2]) {
+        let Edge { first, second } = Edge::ALL[edge];
+        let faces = [first.index(), second.index()];
+        let borders = self.borders.at(edge, faces.map(|face| arrangement.layings[face]));
+        (faces.map(|face| arrangement.images[face]), borders)
+    }
+
+    /// How much worse the second arrangement is than the first, and how sure that is.
+    ///
+    /// Every side of every image is used once in either. So the two are compared side by side and unit by unit, and
+    /// the sum of the differences is put in relation to the root of the sum of their squares: a number
+    /// of standard errors that no single outlier can make large (de la Pena, Lai, Shao: "Self-Normalized Processes", 2009).
+    pub fn compare(&self, better: &Arrangement, worse: &Arrangement) -> Comparison {
+        let mut first = [None; 24];
+        let mut second = [None; 24];
+        for edge in 0..12 {
+            for (arrangement, partners) in [(better, &mut first), (worse, &mut second)] {
+                let (images, borders) = self.ends(arrangement, edge);
+                let [one, other] = [0, 1].map(|end| border_index(images[end], borders[end].side));
+                let units = self.edge_units(arrangement, edge);
+                let alike = borders[0].reversed == borders[1].reversed;
+                partners[one] = Some((other, alike, units));
+                partners[other] = Some((one, alike, units));
+            }
+        }
+        let mut comparison = Comparison::default();
+        for (first, second) in first.iter().zip(&second) {
+            let (Some((one, alike, units)), Some((other, other_alike, others))) = (first, second) else { continue };
+            if (one, alike) == (other, other_alike) {
+                continue;
+            }
+            comparison.add(units, others);
+        }
+        comparison
+    }
+}
+
+/// The paired comparison of two arrangements.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Comparison {
+    /// Sums over the sides whose partner differs.
+    pub better: f64,
+    pub worse: f64,
+    squares: f64,
+}
+
+impl Comparison {
+    fn add(&mut self, better: &Units, worse: &Units) {
+        for unit in 0..UNITS {
+            let (better, worse) = (f64::from(better[unit]), f64::from(worse[unit]));
+            self.better += better;
+            self.worse += worse;
+            self.squares += (worse - better) * (worse - better);
+        }
+    }
+
+    /// The difference in standard errors; 0 if nothing differs. The two sides of a seam tell the same, so what looks like
+    /// n independent units is n / 2.
+    pub fn standard_errors(&self) -> f64 {
+        if self.squares > 0.0 { (self.worse - self.better) / (2.0 * self.squares).sqrt() } else { 0.0 }
+    }
+
+    /// By how much the better one lowers the cost, as a part of the worse one's.
+    pub fn improvement(&self) -> f64 {
+        if self.worse > 0.0 { (self.worse - self.better) / self.worse } else { 0.0 }
+    }
+}

@@ -1,0 +1,27 @@
+//! When one arrangement fits decisively better than another.
+
+use super::arrangement::{Arrangement, Comparison, Puzzle};
+
+/// Standard errors by which an arrangement must be better.
+const STANDARD_ERRORS: f64 = 4.5;
+/// The part of the cost that it must save.
+const IMPROVEMENT: f64 = 0.12;
+/// Nearly nothing is left of the cost: fewer standard errors will do, as where only a few lines cross the borders.
+const FEW_STANDARD_ERRORS: f64 = 2.5;
+const NEARLY_ALL: f64 = 0.5;
+
+impl Comparison {
+    /// True if chance does not explain the difference, and it is not a trifle either.
+    pub fn is_decisive(&self) -> bool {
+        let (errors, improvement) = (self.standard_errors(), self.improvement());
+        errors >= STANDARD_ERRORS && improvement >= IMPROVEMENT
+            || errors >= FEW_STANDARD_ERRORS && improvement >= NEARLY_ALL
+    }
+}
+
+impl Puzzle {
+    /// True if `other` is as good as `best`, as far as the pixels can tell.
+    pub fn ties(&self, best: &Arrangement, other: &Arrangement) -> bool {
+        !self.compare(best, other).is_decisive()
+    }
+}

@@ -1,0 +1,36 @@
+//! The validator: whether six pictures fit together under the lookup that the tracer uses, and if not, the smallest
+//! change that makes them fit.
+//!
+//! 1. [`border`] reads three rows of texels along each side of each image, and two deeper ones: nothing else.
+//! 2. [`pair_cost`] says what it costs to let one border continue another, for all pairs, once.
+//! 3. [`search`] finds the cheapest way to lay the images on the faces: exactly, by branch and bound.
+//! 4. [`evidence`] says whether one way is decisively better than another, [`solve`] picks the simplest of those that
+//!    are equally good, [`foreign`] finds faces that fit nowhere.
+//!
+//! Data only: this module neither prints nor draws.
+
+mod arrangement;
+mod border;
+mod check;
+mod convention;
+mod display;
+mod edge;
+mod evidence;
+mod foreign;
+mod handedness;
+mod notes;
+mod pair_cost;
+mod seam;
+mod search;
+mod signal;
+mod sky;
+mod solve;
+mod symmetry;
+
+pub use check::{Check, CheckOptions, FaceFix, Fix, ImageFacts, Names, Verdict, check, load};
+pub use convention::Convention;
+pub use edge::{Edge, Side};
+pub use foreign::{Foreign, Reason};
+pub use handedness::mirrored_faces;
+pub use notes::Note;
+pub use seam::Seam;

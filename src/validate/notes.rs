@@ -1,0 +1,187 @@
+//! What else is worth saying about a map.
+
+use std::fmt;
+
+use super::border::Borders;
+use super::check::{Check, CheckOptions, Verdict};
+use super::foreign::Reason;
+use super::handedness::mirrored_faces;
+use crate::envmap::{Face, SignedAxis};
+
+/// A remark in the report. None of them makes a map broken, except [`Note::Foreign`], which says why it is.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Note {
+    Foreign {
+        face: Face,
+        file: String,
+        reason: Reason,
+    },
+    /// A 1-pixel frame, left out of the measure.
+    Framed {
+        image: Face,
+    },
+    /// The smallest and largest side in texels.
+    Sizes {
+        smallest: usize,
+        largest: usize,
+    },
+    NotSquare {
+        image: Face,
+    },
+    Alpha {
+        images: Vec<Face>,
+    },
+    /// Faces that differ in brightness from their neighbours by about this many of 255 codes.
+    Exposure {
+        image: Face,
+        codes: f64,
+    },
+    Identical {
+        images: [Face; 2],
+    },
+    Undecided {
+        faces: Vec<Face>,
+    },
+    /// Rough seams of a geometry that fits.
+    Rough {
+        seams: usize,
+        step: f64,
+    },
+    Mirrored {
+        faces: Vec<Face>,
+        after: Vec<Face>,
+        changes: bool,
+    },
+    Sky {
+        sky: Face,
+        up: SignedAxis,
+        there: bool,
+    },
+}
+
+/// All remarks in the order of the report.
+pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Option<[Face; 2]>) -> Vec<Note> {
+    let mut notes = Vec::new();
+    for foreign in &check.foreign {
+        let image = check.fix.faces[foreign.face.index()].image;
+        let file = check.images[image.index()].file.clone();
+        notes.push(Note::Foreign { face: foreign.face, file, reason: foreign.reason });
+    }
+    pictures(check, borders, &mut notes);
+    let undecided: Vec<Face> = check.fix.faces.iter().filter(|fix| !fix.decided).map(|fix| fix.face).collect();
+    if !undecided.is_empty() {
+        notes.push(Note::Undecided { faces: undecided });
+    }
+    rough(check, &mut notes);
+    let after = mirrored_faces(&check.fix.lookup(&check.lookup));
+    if !check.mirrored.is_empty() || !after.is_empty() {
+        notes.push(Note::Mirrored { faces: check.mirrored.clone(), after, changes: check.fix.changes > 0 });
+    }
+    if let (Some(up), Some([sky, _])) = (options.world_up, sky) {
+        let top = Face::on_axis(usize::from(up.axis), !up.negative);
+        let there = check.fix.faces[top.index()].image == sky;
+        notes.push(Note::Sky { sky, up, there });
+    }
+    notes
+}
+
+fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
+    notes.extend(
+        Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
+    );
+    for facts in check.images.iter().filter(|facts| facts.width != facts.height) {
+        notes.push(Note::NotSquare { image: facts.face });
+    }
+    let sizes = borders.iter().map(|image| image.texels);
+    let (smallest, largest) = (sizes.clone().min().unwrap_or(0), sizes.max().unwrap_or(0));
+    if smallest != largest {
+        notes.push(Note::Sizes { smallest, largest });
+    }
+    let alpha: Vec<Face> = check.images.iter().filter(|facts| facts.alpha).map(|facts| facts.face).collect();
+    if !alpha.is_empty() {
+        notes.push(Note::Alpha { images: alpha });
+    }
+}
+
+/// Seams that are rough although the map fits.
+fn rough(check: &Check, notes: &mut Vec<Note>) {
+    const ROUGH: f64 = 3.0;
+    if check.verdict == Verdict::Broken {
+        return;
+    }
+    let rough: Vec<f64> = check.seams.iter().filter(|seam| seam.score > ROUGH).map(|seam| seam.step).collect();
+    if !rough.is_empty() {
+        let step = rough.iter().sum::<f64>() / rough.len() as f64;
+        notes.push(Note::Rough { seams: rough.len(), step });
+    }
+}
+
+fn names(faces: &[Face]) -> String {
+    if faces.len() == 6 {
+        return "all six faces".to_owned();
+    }
+    faces.iter().map(|face| face.name()).collect::<Vec<_>>().join(", ")
+}
+
+impl fmt::Display for Note {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Foreign { face, file, reason } => {
+                let what = match reason {
+                    Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
+                    Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),
+                    Reason::AnotherScene => {
+                        "its borders fit nothing in any laying: a picture of something else".to_owned()
+                    }
+                };
+                write!(formatter, "{} ({file}) does not belong here: {what}", face.name())
+            }
+            Self::Framed { image } => {
+                write!(formatter, "{} has a frame one texel wide; the texels inside it were compared", image.name())
+            }
+            Self::Sizes { smallest, largest } => {
+                write!(
+                    formatter,
+                    "the images differ in size, from {smallest} to {largest} texels: borders were resampled"
+                )
+            }
+            Self::NotSquare { image } => write!(formatter, "{} is not square", image.name()),
+            Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
+            Self::Exposure { image, codes } => {
+                write!(formatter, "{} is exposed otherwise than its neighbours, by {codes:.1} of 255", image.name())
+            }
+            Self::Identical { images: [one, other] } => {
+                write!(formatter, "{} and {} are the same picture", one.name(), other.name())
+            }
+            Self::Undecided { faces } => {
+                write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))
+            }
+            Self::Rough { seams, step } => write!(
+                formatter,
+                "{seams} of 12 seams are rough (mean step {step:.1} of 255), but the geometry fits: faces were exposed, framed or compressed one by one, or the ground is coarse"
+            ),
+            Self::Mirrored { faces, after, changes } => {
+                if *changes {
+                    let before = if faces.is_empty() { "none" } else { &names(faces) };
+                    let after = if after.is_empty() { "none" } else { &names(after) };
+                    write!(
+                        formatter,
+                        "from the table alone: mirrored in a right-handed world are {before} now, {after} after the fix"
+                    )
+                } else {
+                    write!(formatter, "from the table alone: a right-handed world sees {} mirrored", names(faces))
+                }
+            }
+            Self::Sky { sky, up, there: true } => {
+                write!(formatter, "the sky seems to be {}: at the declared up axis {up}", sky.name())
+            }
+            Self::Sky { sky, up, there: false } => {
+                write!(
+                    formatter,
+                    "the sky seems to be {}, which is not at the declared up axis {up} (a hint from brightness and detail)",
+                    sky.name()
+                )
+            }
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The seams as the report shows them: step, detail, score and verdict of the twelve edges.
+
+use super::Verdict;
+use super::arrangement::{Arrangement, Puzzle};
+use super::border::{ImageBorders, Row, mean_step};
+use super::edge::{Border, Edge};
+
+/// One edge under one lookup.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Seam {
+    pub edge: Edge,
+    /// Mean absolute difference across the seam, of 255 display units, over texels and channels.
+    pub step: f64,
+    /// The same from texel to texel, one and two texels inside both faces.
+    pub detail: f64,
+    /// How many times larger the step is than the detail: `step / max(detail, 0.5)`. About 1 where two faces continue
+    /// each other.
+    pub score: f64,
+    pub verdict: Verdict,
+}
+
+/// Detail below half a code is that of rounding.
+const LEAST_DETAIL: f64 = 0.5;
+
+/// Step and detail of an edge; the verdict is still to be found.
+pub fn measure(puzzle: &Puzzle, images: &[ImageBorders; 6], arrangement: &Arrangement, edge: usize) -> Seam {
+    let (names, borders) = puzzle.ends(arrangement, edge);
+    let [one, other] = [0, 1].map(|end| &images[names[end].index()]);
+    let texels = one.texels.max(other.texels);
+    let row = |image: &ImageBorders, border: Border, depth: usize| -> Row {
+        let row = image.row(border.side, depth);
+        let nearest = |index: usize| row[(2 * index + 1) * row.len() / (2 * texels)];
+        let mut row: Row = (0..texels).map(nearest).collect();
+        if border.reversed {
+            row.reverse();
+        }
+        row
+    };
+    let inside = |image: &ImageBorders, border: Border| {
+        let rows = [0, 1, 2].map(|depth| row(image, border, depth));
+        (mean_step(&rows[0], &rows[1]) + mean_step(&rows[1], &rows[2])) / 2.0
+    };
+    let step = mean_step(&row(one, borders[0], 0), &row(other, borders[1], 0));
+    let detail = (inside(one, borders[0]) + inside(other, borders[1])) / 2.0;
+    let score = step / detail.max(LEAST_DETAIL);
+    Seam { edge: Edge::ALL[edge], step, detail, score, verdict: Verdict::Fits }
+}
+
+/// Twelve seams with their verdicts. A seam is broken if `found` pairs its borders otherwise and cheaper, or a face
+/// at it does not belong; undecidable if its borders go as well with most others.
+pub fn seams(
+    puzzle: &Puzzle,
+    images: &[ImageBorders; 6],
+    arrangement: &Arrangement,
+    found: &Arrangement,
+    foreign: &[crate::envmap::Face],
+) -> Vec<Seam> {
+    let judged = |edge: usize| {
+        let mut seam = measure(puzzle, images, arrangement, edge);
+        let cost = puzzle.edge_cost(arrangement, edge);
+        let mended = puzzle.cost_of_sides(found, puzzle.ends(arrangement, edge));
+        let at_foreign = foreign.iter().any(|&face| {
+            let (names, _) = puzzle.ends(arrangement, edge);
+            names.contains(&found.images[face.index()])
+        });
+        seam.verdict = if at_foreign || cost > 1.3 * mended + 4.0 {
+            Verdict::Broken
+        } else if puzzle.fit(arrangement, edge) > 0.85 {
+            Verdict::Undecidable
+        } else {
+            Verdict::Fits
+        };
+        seam
+    };
+    (0..12).map(judged).collect()
+}
+
+impl Puzzle {
+    /// The mean cost that the two sides have in another arrangement.
+    fn cost_of_sides(&self, arrangement: &Arrangement, ends: ([crate::envmap::Face; 2], [Border; 2])) -> f64 {
+        let side = |end: usize| (ends.0[end], ends.1[end].side);
+        let mut sum = 0.0;
+        for edge in 0..12 {
+            let (images, borders) = self.ends(arrangement, edge);
+            for end in 0..2 {
+                if (0..2).any(|wanted| side(wanted) == (images[end], borders[end].side)) {
+                    sum += self.edge_cost(arrangement, edge);
+                }
+            }
+        }
+        sum / 2.0
+    }
+
+    /// The cost of an edge as a part of what its two borders cost with the borders of all other images on average: near 0
+    /// where they continue each other, near 1 where they are as good as strangers, and 1 where nothing costs anything.
+    pub fn fit(&self, arrangement: &Arrangement, edge: usize) -> f64 {
+        let (images, borders) = self.ends(arrangement, edge);
+        let strangers =
+            (0..2).map(|end| self.costs.mean_with_others(images[end], borders[end].side)).sum::<f64>() / 2.0;
+        // The cost of rounding errors alone.
+        const NOTHING: f64 = 2.0;
+        (self.edge_cost(arrangement, edge) + NOTHING) / (strangers + NOTHING)
+    }
+}

@@ -1,0 +1,214 @@
+//! From the cheapest arrangement to the fix: of all that are equally good the one with the fewest and simplest changes.
+
+use super::arrangement::{Arrangement, Puzzle};
+use super::convention::{self, Convention};
+use super::handedness::mirrored_faces;
+use super::search::{Freedom, cheapest};
+use super::symmetry::Symmetry;
+use super::{CheckOptions, Names};
+use crate::envmap::{Face, FaceLookup, Lookup, SignedAxis};
+
+/// The answer of the search.
+#[derive(Debug, Clone)]
+pub struct Solution {
+    pub arrangement: Arrangement,
+    pub convention: Option<Convention>,
+    /// By face how many of the seven other layings are decisively worse, whatever the other faces then do.
+    pub excluded: [usize; 6],
+    /// The standard errors by which the best essentially different arrangement is worse.
+    pub margin: f64,
+    /// Arrangements that are equally good, this one among them.
+    pub equivalents: usize,
+}
+
+/// What the search is about.
+pub struct Question<'a> {
+    pub puzzle: &'a Puzzle,
+    pub lookup: &'a Lookup,
+    pub options: &'a CheckOptions,
+    pub quake_names: bool,
+    /// The image that shows the sky and the one that shows the ground, if the pictures tell.
+    pub sky: Option<[Face; 2]>,
+}
+
+impl Question<'_> {
+    fn given(&self) -> Arrangement {
+        Arrangement::given(Face::ALL.map(|face| self.lookup.row(face).image))
+    }
+
+    /// Finds the fix.
+    pub fn solve(&self) -> Solution {
+        let given = self.given();
+        let trusted = cheapest(self.puzzle, &given, Freedom::TRUSTED);
+        let named = Arrangement::given(Face::ALL);
+        let (best, any_order) = match self.options.names {
+            Names::Trusted => (trusted, false),
+            Names::AnyOrder => (cheapest(self.puzzle, &named, Freedom::ANY_ORDER), true),
+            Names::Auto => {
+                let free = cheapest(self.puzzle, &named, Freedom::ANY_ORDER);
+                let renames = !self.puzzle.ties(&free, &trusted) || self.sky_is_elsewhere(&trusted);
+                if renames { (free, true) } else { (trusted, false) }
+            }
+        };
+        let ties = self.ties(&best);
+        let (arrangement, convention) = self.simplest(&best, &ties, any_order);
+        let (excluded, margin) = self.alternatives(&arrangement);
+        let alike: usize = ties.iter().map(Vec::len).product();
+        let equivalents = if any_order { 48 * alike } else { alike };
+        Solution { arrangement, convention, excluded, margin, equivalents }
+    }
+
+    /// By face the layings that are as good as the best one's, itself first.
+    fn ties(&self, best: &Arrangement) -> [Vec<usize>; 6] {
+        Face::ALL.map(|face| {
+            let own = best.layings[face.index()];
+            let others = (0..8).filter(|&laying| laying != own);
+            let tied = others.filter(|&laying| self.puzzle.ties(best, &best.with_laying(face, laying)));
+            std::iter::once(own).chain(tied).collect()
+        })
+    }
+
+    /// The simplest arrangement among those as good as the best, and the convention that it is.
+    fn simplest(
+        &self,
+        best: &Arrangement,
+        ties: &[Vec<usize>; 6],
+        any_order: bool,
+    ) -> (Arrangement, Option<Convention>) {
+        let given = self.given();
+        let named = convention::candidates(self.lookup, self.quake_names);
+        let variants = variants(best, ties);
+        let turned = || {
+            variants.iter().flat_map(|variant| Symmetry::all().into_iter().map(|turn| turn.of(variant, self.lookup)))
+        };
+        let mut candidates = vec![given];
+        candidates
+            .extend(named.iter().map(|(_, known)| *known).filter(|known| any_order || known.images == given.images));
+        if any_order {
+            candidates.extend(turned());
+        } else {
+            candidates.extend(&variants);
+        }
+        let simplest = self.first_that_ties(best, candidates, &named).unwrap_or(*best);
+        let name = |arrangement: &Arrangement| name(&named, arrangement);
+        if self.options.names != Names::Auto || any_order || name(&simplest).is_some() || self.changes(&simplest) < 4 {
+            return (simplest, name(&simplest));
+        }
+        // Names are trusted, but laying most faces anew is a poor explanation where a convention, or two files that
+        // changed places, explains the same cube.
+        let laid = self.changes(&simplest);
+        let simpler = |arrangement: &Arrangement| match name(arrangement) {
+            Some(_) => self.changes(arrangement) < laid,
+            None => self.changes(arrangement) <= laid / 2,
+        };
+        let renamed = named.iter().map(|(_, known)| *known).chain(turned()).filter(simpler).collect();
+        let simplest = self.first_that_ties(best, renamed, &named).unwrap_or(simplest);
+        (simplest, name(&simplest))
+    }
+
+    /// The simplest of the candidates that is as good as the best.
+    fn first_that_ties(
+        &self,
+        best: &Arrangement,
+        mut candidates: Vec<Arrangement>,
+        named: &[(Convention, Arrangement)],
+    ) -> Option<Arrangement> {
+        candidates.sort_by_cached_key(|arrangement| self.complexity(arrangement, name(named, arrangement)));
+        candidates.dedup();
+        candidates.into_iter().find(|candidate| self.puzzle.ties(best, candidate))
+    }
+
+    /// Faces that an arrangement changes.
+    fn changes(&self, arrangement: &Arrangement) -> usize {
+        let given = self.given();
+        let changed = |&face: &usize| {
+            arrangement.images[face] != given.images[face] || arrangement.layings[face] != given.layings[face]
+        };
+        (0..6).filter(changed).count()
+    }
+
+    /// The order of preference: the up axis that the user named; nothing changed; a convention as a whole; the
+    /// fewest faces; the simplest changes; unmirrored before mirrored.
+    fn complexity(&self, arrangement: &Arrangement, convention: Option<Convention>) -> impl Ord + use<> {
+        let given = self.given();
+        let changes = self.changes(arrangement);
+        let mut weight = 0;
+        for face in Face::ALL {
+            let renamed = arrangement.images[face.index()] != given.images[face.index()];
+            let laid = match arrangement.layings[face.index()] {
+                0 => 0,
+                1 | 2 => 1,
+                3 => 2,
+                _ => 3,
+            };
+            weight += laid + 10 * usize::from(renamed);
+        }
+        let unnamed = changes > 0 && convention.is_none();
+        let mirrored = mirrored_faces(&corrected(self.lookup, arrangement)).len();
+        (self.sky_is_elsewhere(arrangement), unnamed, changes, weight, mirrored, *arrangement)
+    }
+
+    /// True if the user named an up axis, the pictures show sky and ground, and the sky lies elsewhere.
+    fn sky_is_elsewhere(&self, arrangement: &Arrangement) -> bool {
+        let (Some(up), Some([sky, ground])) = (self.options.world_up, self.sky) else { return false };
+        let image =
+            |axis: SignedAxis| arrangement.images[Face::on_axis(usize::from(axis.axis), !axis.negative).index()];
+        (image(up), image(-up)) != (sky, ground)
+    }
+
+    /// By face the number of other layings that are decisively worse, and the standard errors by which the best of
+    /// all those is worse.
+    fn alternatives(&self, found: &Arrangement) -> ([usize; 6], f64) {
+        let mut excluded = [0; 6];
+        let mut margin = f64::INFINITY;
+        for face in Face::ALL {
+            for other in self.others(found, face) {
+                let comparison = self.puzzle.compare(found, &other);
+                if comparison.is_decisive() {
+                    excluded[face.index()] += 1;
+                    margin = margin.min(comparison.standard_errors());
+                }
+            }
+        }
+        (excluded, if margin.is_finite() { margin } else { 0.0 })
+    }
+
+    /// The cheapest arrangements of the same images with another laying of the face.
+    fn others(&self, found: &Arrangement, face: Face) -> Vec<Arrangement> {
+        let own = found.layings[face.index()];
+        let base = Arrangement::given(found.images);
+        let fixed = |laying| Freedom { fixed: Some((face, laying)), ..Freedom::TRUSTED };
+        (0..8).filter(|&laying| laying != own).map(|laying| cheapest(self.puzzle, &base, fixed(laying))).collect()
+    }
+}
+
+/// The convention that an arrangement is.
+fn name(named: &[(Convention, Arrangement)], arrangement: &Arrangement) -> Option<Convention> {
+    named.iter().find(|(_, known)| known == arrangement).map(|&(convention, _)| convention)
+}
+
+/// The combinations of equally good layings, at most a few thousand of them.
+fn variants(best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<Arrangement> {
+    const MOST: usize = 4096;
+    let mut variants = vec![*best];
+    for face in Face::ALL {
+        if variants.len() * ties[face.index()].len() > MOST {
+            continue;
+        }
+        let layings = &ties[face.index()];
+        variants = variants
+            .iter()
+            .flat_map(|variant| layings.iter().map(move |&laying| variant.with_laying(face, laying)))
+            .collect();
+    }
+    variants
+}
+
+/// The lookup that an arrangement amounts to.
+pub fn corrected(lookup: &Lookup, arrangement: &Arrangement) -> Lookup {
+    let rows = Face::ALL.map(|face| FaceLookup {
+        image: arrangement.images[face.index()],
+        ..arrangement.laying(face).of_row(lookup.row(face))
+    });
+    Lookup::new(rows, lookup.v_origin()).expect("a laid row spans its face")
+}

@@ -1,0 +1,184 @@
+//! Maps in memory: read, scaled, re-compressed, damaged and checked.
+
+use std::path::{Path, PathBuf};
+
+use skycube::colour::encode_srgb;
+use skycube::envmap::source::Skybox;
+use skycube::envmap::{CubeFilter, CubeMap, Face, Laying, LazyImage, Preset, VOrigin};
+use skycube::math::Vec3;
+use skycube::picture::{self, Format, Header, OutputFormat, Picture, Raster, Texels, WriteOptions};
+use skycube::validate::{Check, CheckOptions, ImageFacts, Names, check};
+
+use super::common::shared_map;
+
+/// How the pictures of a map are kept.
+pub struct Storage {
+    pub size: usize,
+    /// None for PNG.
+    quality: Option<u8>,
+}
+
+impl Storage {
+    pub fn png(size: usize) -> Self {
+        Self { size, quality: None }
+    }
+
+    pub fn jpeg(size: usize) -> Self {
+        Self { size, quality: Some(50) }
+    }
+
+    pub fn name(&self) -> String {
+        self.quality.map_or("PNG".to_owned(), |quality| format!("JPEG {quality}"))
+    }
+}
+
+/// Six pictures that are right under the `opengl` lookup.
+#[derive(Clone)]
+pub struct Map {
+    pictures: [Picture; 6],
+}
+
+/// The right maps at hand, in the opengl convention: those of the project, and real ones where they are.
+pub fn right_maps() -> Vec<(&'static str, Map)> {
+    use Face::{NegX, NegY, NegZ, PosX, PosY, PosZ};
+    let own = Face::ALL;
+    let quake = [PosZ, NegZ, PosY, NegY, PosX, NegX];
+    let openexr = [PosX, NegX, PosY, NegY, NegZ, PosZ];
+    let real: [(&str, [Face; 6], usize); 9] = [
+        ("meadow", own, 0),
+        ("studio-garden", own, 0),
+        ("city-upside-down", own, 2),
+        ("clouds-dusk", quake, 0),
+        ("miramar-quake", quake, 0),
+        ("layouts/storm-cross.jpg", own, 0),
+        ("layouts/ryfjallet-strip.png", own, 0),
+        ("openexr/KernerEnvCube.exr", openexr, 0),
+        ("openexr/OrientationCube.exr", openexr, 0),
+    ];
+    let project = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps").join(name);
+    let mut maps: Vec<(&'static str, PathBuf, [Face; 6], usize)> = ["compass", "courtyard"]
+        .map(|name| (name, project(name), own, 0))
+        .into_iter()
+        .filter(|map| map.1.exists())
+        .collect();
+    for (name, order, laying) in real {
+        maps.extend(shared_map(name).map(|path| (name, path, order, laying)));
+    }
+    maps.into_iter().map(|(name, path, order, laying)| (name, Map::read(&path, order, Laying::ALL[laying]))).collect()
+}
+
+impl Map {
+    fn read(path: &Path, order: [Face; 6], laying: Laying) -> Self {
+        let skybox = Skybox::open(path).unwrap();
+        let pictures = order.map(|face| laid(&skybox.image(face).decode().unwrap(), laying));
+        Self { pictures }
+    }
+
+    pub fn new(pictures: [Picture; 6]) -> Self {
+        Self { pictures }
+    }
+
+    pub fn pictures(&self) -> &[Picture; 6] {
+        &self.pictures
+    }
+
+    /// The map scaled and written as 8-bit files of a kind, and read again.
+    pub fn stored(&self, storage: &Storage) -> Self {
+        let format = if storage.quality.is_some() { OutputFormat::Jpeg } else { OutputFormat::Png };
+        let options = WriteOptions { jpeg_quality: storage.quality.unwrap_or(92), ..WriteOptions::default() };
+        let scale = self.exposure();
+        let store = |picture: &Picture| {
+            let encoded = picture::encode(&scaled(picture, storage.size, scale), format, &options).unwrap();
+            picture::decode(&encoded, Path::new("stored")).unwrap()
+        };
+        Self { pictures: std::array::from_fn(|face| store(&self.pictures[face])) }
+    }
+
+    /// The factor that brings radiance into the range of 8-bit files; 1 for those that are.
+    fn exposure(&self) -> f32 {
+        let Texels::Linear(_) = self.pictures[0].texels() else { return 1.0 };
+        let texels = |picture: &Picture| match picture.texels() {
+            Texels::Linear(colours) => {
+                colours.iter().map(|colour| colour.element_sum() / 3.0).sum::<f32>() / colours.len() as f32
+            }
+            Texels::Srgb8(_) => 1.0,
+        };
+        let mean = self.pictures.iter().map(texels).sum::<f32>() / 6.0;
+        0.3 / mean
+    }
+
+    /// The map with images in other places and laid otherwise.
+    pub fn damaged(&self, images: &[usize; 6], layings: &[Laying; 6]) -> Self {
+        Self { pictures: std::array::from_fn(|face| laid(&self.pictures[images[face]], layings[face])) }
+    }
+
+    /// True if an original image in a laying has the texels of the original at a face.
+    pub fn looks_alike(&self, image: usize, laying: Laying, face: usize) -> bool {
+        (image == face && laying == Laying::IDENTITY)
+            || laid(&self.pictures[image], laying).texels() == self.pictures[face].texels()
+    }
+
+    pub fn check(&self, names: Names) -> Check {
+        let images = self.pictures.clone().map(LazyImage::ready);
+        let map = CubeMap::new(images, Preset::Opengl.lookup(), CubeFilter::Nearest);
+        let facts = |face: Face| {
+            let Header { width, height, format, alpha, .. } = self.pictures[face.index()].header();
+            ImageFacts { face, file: format!("{}.png", face.name()), width, height, format, alpha }
+        };
+        let options = CheckOptions { names, lookup_name: "opengl".to_owned(), ..CheckOptions::default() };
+        check(&map, Face::ALL.map(facts).to_vec(), &options).unwrap()
+    }
+}
+
+/// A picture after the operation on the file that the laying amounts to.
+pub fn laid(picture: &Picture, laying: Laying) -> Picture {
+    if laying == Laying::IDENTITY {
+        return picture.clone();
+    }
+    let size = picture.width();
+    let operation = laying.image_operation(VOrigin::Top);
+    let places =
+        (0..size).flat_map(|y| (0..size).map(move |x| operation.source(x, y, size))).map(|(x, y)| y * size + x);
+    let texels = match picture.texels() {
+        Texels::Srgb8(bytes) => {
+            Texels::Srgb8(places.flat_map(|at| [bytes[3 * at], bytes[3 * at + 1], bytes[3 * at + 2]]).collect())
+        }
+        Texels::Linear(colours) => Texels::Linear(places.map(|at| colours[at]).collect()),
+    };
+    Picture::new(picture.header(), texels)
+}
+
+/// A picture of another size: the mean of what a texel covers where it shrinks, bilinear where it grows.
+fn scaled(picture: &Picture, size: usize, factor: f32) -> Raster {
+    let own = picture.width();
+    Raster::from_function(size, size, |x, y| {
+        let colour = if own > size {
+            let cells = |index: usize| index * own / size..((index + 1) * own).div_ceil(size);
+            let (columns, rows) = (cells(x), cells(y));
+            let count = (columns.len() * rows.len()) as f32;
+            rows.flat_map(|row| columns.clone().map(move |column| (column, row)))
+                .map(|(column, row)| picture.texel(column, row))
+                .sum::<Vec3>()
+                / count
+        } else {
+            let place = |index: usize| (index as f32 + 0.5) * own as f32 / size as f32;
+            picture.bilinear(place(x), place(y))
+        };
+        colour * factor
+    })
+}
+
+/// An 8-bit picture computed from column, row and size; display colours from 0 to 255.
+#[allow(dead_code)]
+pub fn computed(size: usize, colour: impl Fn(usize, usize) -> [f32; 3]) -> Picture {
+    let bytes =
+        (0..size * size).flat_map(|at| colour(at % size, at / size).map(|value| value.round().clamp(0.0, 255.0) as u8));
+    let header = Header { width: size, height: size, format: Format::Png, bit_depth: 8, alpha: false };
+    Picture::new(header, Texels::Srgb8(bytes.collect()))
+}
+
+/// The display colours of a texel.
+#[allow(dead_code)]
+pub fn display(picture: &Picture, x: usize, y: usize) -> [f32; 3] {
+    picture.texel(x, y).to_array().map(|value| 255.0 * encode_srgb(value))
+}

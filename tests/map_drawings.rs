@@ -1,0 +1,136 @@
+//! The commands that look at a map: cross, shots, probe.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use skycube::envmap::source::Skybox;
+use skycube::envmap::{CubeFilter, CubeMap, Face, Preset, Probe};
+use skycube::math::Vec3;
+use skycube::picture::{Picture, read};
+
+fn compass() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass")
+}
+
+fn skycube(folder: &Path, arguments: &[&str]) -> Output {
+    let command = Command::new(env!("CARGO_BIN_EXE_skycube")).current_dir(folder).args(arguments).output();
+    command.unwrap()
+}
+
+fn stdout(output: &Output) -> String {
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+/// Directions in all parts of the cube: a grid with faces, edges, corners, ties, and places between.
+fn directions() -> impl Iterator<Item = Vec3> {
+    let steps = || (-24..=24).map(|step| step as f32 / 16.0);
+    let grid = steps().flat_map(move |x| steps().flat_map(move |y| steps().map(move |z| Vec3::new(x, y * 1.01, z))));
+    grid.filter(|direction| *direction != Vec3::ZERO)
+}
+
+#[test]
+fn a_probe_tells_the_colour_of_sample_bit_for_bit() {
+    let skybox = Skybox::open(&compass()).unwrap();
+    for filter in [CubeFilter::Nearest, CubeFilter::Bilinear, CubeFilter::Seamless] {
+        for preset in [Preset::Exercise, Preset::HumusYUp] {
+            let map = CubeMap::from_skybox(&skybox, preset.lookup(), filter);
+            for direction in directions() {
+                let probe = Probe::new(&map, direction).unwrap();
+                let bits = |colour: Vec3| colour.to_array().map(f32::to_bits);
+                assert_eq!(bits(probe.colour), bits(map.sample(direction)), "{direction} {filter:?}");
+                // What is listed is what was added.
+                let sum: Vec3 = probe.texels.iter().map(|texel| texel.colour * texel.weight).sum();
+                assert!((sum - probe.colour).abs().max_element() < 1e-6, "{direction} {filter:?}");
+                for texel in &probe.texels {
+                    let Some(place) = texel.place else { continue };
+                    assert_eq!(texel.colour, map.picture(place.image).unwrap().texel(place.column, place.row));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn a_direction_that_points_nowhere_is_an_error() {
+    let folder = compass();
+    for direction in ["0,0,0", "nan,1,0", "inf,0,0", "1e39,0,0", "-0,0,0"] {
+        let output = skycube(&folder, &["probe", ".", "--direction", direction]);
+        assert_eq!(output.status.code(), Some(2), "{direction}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("points nowhere"), "{direction}");
+    }
+}
+
+#[test]
+fn probe_prints_every_step() {
+    let folder = compass();
+    let map = folder.parent().unwrap();
+    let text = stdout(&skycube(map, &["probe", "compass", "--lookup", "course", "--direction", "0.3,-1,0.5"]));
+    insta::assert_snapshot!(text);
+    let tie = stdout(&skycube(map, &["probe", "compass", "--direction", "2,2,2", "--filter", "seamless"]));
+    insta::assert_snapshot!(tie);
+    let json = stdout(&skycube(map, &["probe", "compass", "--direction", "-3,1,0.5", "--filter", "nearest", "--json"]));
+    insta::assert_snapshot!(json);
+}
+
+#[test]
+fn shots_writes_six_pictures_a_sheet_and_the_camera() {
+    let folder = tempfile::tempdir().unwrap();
+    let map = compass();
+    let map = map.to_str().unwrap();
+    let arguments = ["shots", map, "-o", "out", "--lookup", "humus-y-up", "--size", "64"];
+    insta::assert_snapshot!(stdout(&skycube(folder.path(), &arguments)));
+    for face in Face::ALL {
+        let shot = read(&folder.path().join("out").join(face.name()).with_extension("png")).unwrap();
+        assert_eq!((shot.width(), shot.height()), (64, 64));
+    }
+    assert_looks_as_it_did(&folder.path().join("out/contact-sheet.png"), "contact-sheet-compass");
+}
+
+#[test]
+fn the_pictures_of_a_map_are_not_overwritten() {
+    let folder = tempfile::tempdir().unwrap();
+    for face in Face::ALL {
+        let name = Path::new(face.name()).with_extension("png");
+        std::fs::copy(compass().join(&name), folder.path().join(&name)).unwrap();
+    }
+    let before = std::fs::read(folder.path().join("posx.png")).unwrap();
+    for arguments in [["shots", ".", "-o", "."], ["cross", ".", "-o", "posx.png"]] {
+        let output = skycube(folder.path(), &arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+    }
+    assert_eq!(std::fs::read(folder.path().join("posx.png")).unwrap(), before);
+    assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 6);
+}
+
+/// The mean difference of 255 over pixels and channels.
+fn difference(one: &Picture, other: &Picture) -> f32 {
+    assert_eq!((one.width(), one.height()), (other.width(), other.height()));
+    let [one, other] = [one, other].map(|picture| match picture.texels() {
+        skycube::picture::Texels::Srgb8(bytes) => bytes,
+        skycube::picture::Texels::Linear(_) => panic!("an 8-bit picture"),
+    });
+    let sum: f32 = one.iter().zip(other).map(|(a, b)| f32::from(a.abs_diff(*b))).sum();
+    sum / one.len() as f32
+}
+
+/// Compares a drawing with a golden one. `SKYCUBE_BLESS=1` writes the golden pictures anew: look at them.
+fn assert_looks_as_it_did(drawn: &Path, name: &str) {
+    let golden = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden").join(name).with_extension("png");
+    if std::env::var_os("SKYCUBE_BLESS").is_some() {
+        std::fs::copy(drawn, &golden).unwrap();
+    }
+    let step = difference(&read(drawn).unwrap(), &read(&golden).unwrap());
+    assert!(step < 0.5, "{name}: {step} of 255 from {}", golden.display());
+}
+
+#[test]
+fn crosses_look_as_they_did() {
+    let folder = tempfile::tempdir().unwrap();
+    let map = compass();
+    for lookup in ["humus-z-up", "exercise"] {
+        let arguments = ["cross", map.to_str().unwrap(), "-o", "cross.png", "--lookup", lookup, "--cell", "80"];
+        stdout(&skycube(folder.path(), &arguments));
+        assert_looks_as_it_did(&folder.path().join("cross.png"), &format!("cross-compass-{lookup}"));
+    }
+}
