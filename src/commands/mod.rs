@@ -2,6 +2,7 @@
 
 mod bake;
 mod check;
+mod fix;
 mod interrupt;
 mod options;
 mod progress_bar;
@@ -39,6 +40,8 @@ enum Command {
     Bake(bake::BakeArguments),
     /// Check whether the six pictures of a skybox fit together
     Check(check::CheckArguments),
+    /// Write six corrected files, or print the corrected lookup
+    Fix(fix::FixArguments),
 }
 
 /// Runs the command line of this process.
@@ -47,6 +50,7 @@ pub fn run() -> ExitCode {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Fix(arguments) => fix::run(&arguments),
     };
     exit_code(result)
 }

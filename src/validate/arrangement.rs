@@ -92,7 +92,14 @@ pub struct Comparison {
     pub better: f64,
     pub worse: f64,
     squares: f64,
+    /// Sums over the units that differ strongly, for and against the better one; and how many there are.
+    strong_gains: f64,
+    strong_losses: f64,
+    strong: usize,
 }
+
+/// A difference of a unit that rounding and noise do not make: a factor of e in likelihood.
+const STRONG: f64 = 1.0;
 
 impl Comparison {
     fn add(&mut self, better: &Units, worse: &Units) {
@@ -101,6 +108,11 @@ impl Comparison {
             self.better += better;
             self.worse += worse;
             self.squares += (worse - better) * (worse - better);
+            if (worse - better).abs() > STRONG {
+                self.strong += 1;
+                self.strong_gains += (worse - better).max(0.0);
+                self.strong_losses += (better - worse).max(0.0);
+            }
         }
     }
 
@@ -108,6 +120,13 @@ impl Comparison {
     /// n independent units is n / 2.
     pub fn standard_errors(&self) -> f64 {
         if self.squares > 0.0 { (self.worse - self.better) / (2.0 * self.squares).sqrt() } else { 0.0 }
+    }
+
+    /// The logarithm of the likelihood that the strong differences gain, each seam counted once; how many there are; and
+    /// the losses among them as a part of the gains.
+    pub fn strong(&self) -> (f64, usize, f64) {
+        let share = if self.strong_gains > 0.0 { self.strong_losses / self.strong_gains } else { 1.0 };
+        (self.strong_gains / 2.0, self.strong / 2, share)
     }
 
     /// By how much the better one lowers the cost, as a part of the worse one's.
