@@ -87,14 +87,22 @@ fn check_one(map: &std::path::Path, skybox: &Skybox, arguments: &CheckArguments)
     Ok(outcome(check.verdict, arguments.strict))
 }
 
-/// The maps in a folder of maps, sorted: what lies in it and opens as one.
+/// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one is listed
+/// too: its line says what is wrong.
 fn maps_inside(folder: &std::path::Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     paths.sort();
-    let is_map = |path: &PathBuf| path.is_dir() || Skybox::open_lenient(path).is_ok();
-    paths.retain(is_map);
-    paths
+    let mut maps = Vec::new();
+    for path in paths {
+        if Skybox::open_lenient(&path).is_ok() {
+            maps.push(path);
+        } else if path.is_dir() {
+            let inside = maps_inside(&path);
+            maps.extend(if inside.is_empty() { vec![path] } else { inside });
+        }
+    }
+    maps
 }
 
 fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome> {
@@ -117,7 +125,8 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
                 if arguments.json {
                     reports.push(crate::report::failed_check_json(&map.display().to_string(), &error));
                 } else {
-                    println!("{}: cannot be checked: {}", map.display(), error.problem());
+                    let problem = error.problem().lines().next().unwrap_or_default();
+                    println!("{}: cannot be checked: {problem}", map.display());
                 }
                 eprintln!("error: {error}");
             }
