@@ -39,7 +39,14 @@ fn check_pictures(pictures: [Picture; 6], lookup: Lookup, options: &CheckOptions
     let facts = Face::ALL.map(|face| {
         let header = pictures[face.index()].header();
         let file = format!("{}.png", face.name());
-        ImageFacts { face, file, width: header.width, height: header.height, format: header.format, alpha: header.alpha }
+        ImageFacts {
+            face,
+            file,
+            width: header.width,
+            height: header.height,
+            format: header.format,
+            alpha: header.alpha,
+        }
     });
     let map = CubeMap::new(pictures.map(LazyImage::ready), lookup, CubeFilter::Nearest);
     check(&map, facts.to_vec(), options).unwrap()
@@ -90,7 +97,10 @@ fn right_maps_fit() {
         assert_eq!((check.verdict, check.fix.changes), (Verdict::Fits, 0), "{name}");
         assert_eq!(check.mirrored, Face::ALL, "{name}");
         let notes: Vec<String> = check.notes.iter().map(ToString::to_string).collect();
-        assert!(notes.iter().any(|note| note.contains("a right-handed world sees all six faces mirrored")), "{notes:?}");
+        assert!(
+            notes.iter().any(|note| note.contains("a right-handed world sees all six faces mirrored")),
+            "{notes:?}"
+        );
     }
 }
 

@@ -136,7 +136,10 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
     if arguments.json {
         println!("[\n{}\n]", reports.join(",\n"));
     } else {
-        println!("{} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked", maps.len());
+        println!(
+            "{} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked",
+            maps.len()
+        );
     }
     if failed > 0 {
         return Err(Error::new(format!("{failed} of {} maps could not be checked", maps.len())));

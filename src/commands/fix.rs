@@ -156,8 +156,10 @@ mod tests {
         let (bytes, _) = original.rearranged(|x, y| (y, last - x)).encode_lossless().unwrap();
         std::fs::write(&broken, bytes).unwrap();
         let output = folder.path().join("fixed");
-        let validation = ValidationOptions { lookup: "opengl".to_owned(), world_up: None, trust_names: false, any_order: false };
-        let arguments = FixArguments { map: folder.path().to_owned(), output: Some(output.clone()), code: None, validation };
+        let validation =
+            ValidationOptions { lookup: "opengl".to_owned(), world_up: None, trust_names: false, any_order: false };
+        let arguments =
+            FixArguments { map: folder.path().to_owned(), output: Some(output.clone()), code: None, validation };
         assert_eq!(run(&arguments).unwrap(), Outcome::Clean);
         for face in Face::ALL {
             let name = format!("{}.png", face.name());

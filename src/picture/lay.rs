@@ -28,7 +28,8 @@ impl Picture {
         }
         let floats = matches!(header.format, Format::Hdr | Format::Exr) || header.bit_depth > 16;
         let (format, extension) = if floats { (OutputFormat::Exr, "exr") } else { (OutputFormat::Png, "png") };
-        let options = WriteOptions { tone_map: ToneMap::Clamp, png_depth: PngDepth::Sixteen, ..WriteOptions::default() };
+        let options =
+            WriteOptions { tone_map: ToneMap::Clamp, png_depth: PngDepth::Sixteen, ..WriteOptions::default() };
         Ok((encode(&self.to_raster(), format, &options)?, extension))
     }
 }

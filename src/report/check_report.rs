@@ -213,7 +213,11 @@ impl fmt::Display for CheckReport<'_> {
         for face in self.changed() {
             self.write_change(face, formatter)?;
         }
-        writeln!(formatter, "\n  seam    step  detail  score  verdict{}", if fix.changes > 0 { "      after the fix" } else { "" })?;
+        writeln!(
+            formatter,
+            "\n  seam    step  detail  score  verdict{}",
+            if fix.changes > 0 { "      after the fix" } else { "" }
+        )?;
         for (before, after) in self.check.seams.iter().zip(&fix.seams_after) {
             let Seam { edge, step, detail, score, verdict } = before;
             write!(formatter, "  {}  {step:6.2}  {detail:6.2} {score:6.2}  {}", edge.name(), verdict.name())?;
@@ -223,7 +227,10 @@ impl fmt::Display for CheckReport<'_> {
             }
             writeln!(formatter)?;
         }
-        writeln!(formatter, "  score = mean step across the seam / mean step from texel to texel inside both faces (of 255; at least 0.5)")?;
+        writeln!(
+            formatter,
+            "  score = mean step across the seam / mean step from texel to texel inside both faces (of 255; at least 0.5)"
+        )?;
         writeln!(
             formatter,
             "\n  margin {:.1}: standard errors by which the next different laying is worse; equally good ones: {}",

@@ -48,8 +48,14 @@ fn frame(language: CodeLanguage) -> (&'static str, &'static str, &'static str) {
             "}\n",
             "//",
         ),
-        CodeLanguage::Glsl => ("// In: vec3 d. Out: int image, float u, v.\nswitch (face) {  // of the largest component\n", "}\n", "//"),
-        CodeLanguage::Rust => ("// In: direction d and its face, that of the largest component.\nlet (image, u, v) = match face {\n", "};\n", "//"),
+        CodeLanguage::Glsl => {
+            ("// In: vec3 d. Out: int image, float u, v.\nswitch (face) {  // of the largest component\n", "}\n", "//")
+        }
+        CodeLanguage::Rust => (
+            "// In: direction d and its face, that of the largest component.\nlet (image, u, v) = match face {\n",
+            "};\n",
+            "//",
+        ),
         CodeLanguage::Toml => ("", "", "#"),
     }
 }
@@ -73,7 +79,12 @@ fn assignments(face: Face, row: FaceLookup, language: CodeLanguage) -> String {
             CodeLanguage::Cpp => format!("std::abs({})", component(face.axis())),
             _ => format!("abs({})", component(face.axis())),
         };
-        format!("0.5{} * ({sign}{} / {largest} + 1.0{})", suffix(language), component(usize::from(axis.axis)), suffix(language))
+        format!(
+            "0.5{} * ({sign}{} / {largest} + 1.0{})",
+            suffix(language),
+            component(usize::from(axis.axis)),
+            suffix(language)
+        )
     };
     match language {
         CodeLanguage::Toml => format!("{{ image = \"{}\", u = \"{}\", v = \"{}\" }}", row.image.name(), row.u, row.v),

@@ -61,6 +61,11 @@ impl Puzzle {
     /// the sum of the differences is put in relation to the root of the sum of their squares: a number
     /// of standard errors that no single outlier can make large (de la Pena, Lai, Shao: "Self-Normalized Processes", 2009).
     pub fn compare(&self, better: &Arrangement, worse: &Arrangement) -> Comparison {
+        self.compare_without(better, worse, None)
+    }
+
+    /// The comparison without the seams of one image.
+    pub fn compare_without(&self, better: &Arrangement, worse: &Arrangement, without: Option<Face>) -> Comparison {
         let mut first = [None; 24];
         let mut second = [None; 24];
         for edge in 0..12 {
@@ -74,9 +79,10 @@ impl Puzzle {
             }
         }
         let mut comparison = Comparison::default();
-        for (first, second) in first.iter().zip(&second) {
+        let skipped = |side: usize| without.is_some_and(|image| side / 4 == image.index());
+        for (side, (first, second)) in first.iter().zip(&second).enumerate() {
             let (Some((one, alike, units)), Some((other, other_alike, others))) = (first, second) else { continue };
-            if (one, alike) == (other, other_alike) {
+            if (one, alike) == (other, other_alike) || skipped(side) || skipped(*one) || skipped(*other) {
                 continue;
             }
             comparison.add(units, others);

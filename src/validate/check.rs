@@ -168,7 +168,7 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     let borders = read_borders(map)?;
     let puzzle = Puzzle { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
     let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
-    let sky = sky::hint(map, &borders, &puzzle)?;
+    let sky = if options.world_up.is_some() { sky::hint(map, &borders, &puzzle)? } else { None };
     let question = Question { map, images: &borders, puzzle: &puzzle, lookup: &lookup, options, quake_names, sky };
     let solution = question.solve()?;
 

@@ -36,6 +36,9 @@ const FAMILIAR: f64 = 0.7;
 /// The mean score (step over detail) below which the seams are not a visible fault.
 const VISIBLE: f64 = 3.0;
 
+/// The mean cost, brightness apart, that two unlike patterns have at least.
+const ANOTHER_PATTERN: f64 = 30.0;
+
 /// The face that fits nothing, in any laying, while the others fit as `arrangement` has them. The image of that face is
 /// left as it is given.
 pub fn find(
@@ -53,12 +56,37 @@ pub fn find(
     }
     let image = laid.images[worst];
     let copy = copy_of(map, images, image)?;
-    let (reason, threshold) = match copy {
-        Some(other) => (Reason::CopyOf(other), STRANGER_COPY),
-        None if images[image.index()].is_flat() => (Reason::Flat, STRANGER_FLAT),
-        None => (Reason::AnotherScene, STRANGER),
+    let (reason, threshold, fit) = match copy {
+        // A copy laid as a mirror image of its original closes the seam between the two, which says nothing.
+        Some(other) => {
+            let original = Face::ALL.into_iter().find(|face| laid.images[face.index()] == other);
+            (Reason::CopyOf(other), STRANGER_COPY, fit_without(puzzle, arrangement, face, original))
+        }
+        None if images[image.index()].is_flat() => (Reason::Flat, STRANGER_FLAT, *fit),
+        None => (Reason::AnotherScene, STRANGER, *fit),
     };
-    Ok((*fit >= threshold).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
+    let unlike = reason != Reason::AnotherScene || pattern_cost(puzzle, laid, face) >= ANOTHER_PATTERN;
+    Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
+}
+
+/// The mean cost of a face's seams but for their mean brightness and colour, which a different exposure explains.
+fn pattern_cost(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching
+        .map(|edge| puzzle.edge_units(arrangement, edge)[1..].iter().map(|&unit| f64::from(unit)).sum::<f64>())
+        .sum::<f64>()
+        / 4.0
+}
+
+/// The mean fit of the seams of a face, in its best laying, but for the one towards `other`.
+fn fit_without(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, other: Option<Face>) -> f64 {
+    let counts = |&edge: &usize| {
+        let edge = Edge::ALL[edge];
+        edge.touches(face) && !other.is_some_and(|other| edge.touches(other))
+    };
+    let edges: Vec<usize> = (0..12).filter(counts).collect();
+    let fit = |laid: &Arrangement| edges.iter().map(|&edge| puzzle.fit(laid, edge)).sum::<f64>() / edges.len() as f64;
+    (0..8).map(|laying| fit(&arrangement.with_laying(face, laying))).fold(f64::INFINITY, f64::min)
 }
 
 /// The arrangement with the cheapest laying of one face, and the mean fit of that face's seams.

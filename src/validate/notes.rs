@@ -3,8 +3,8 @@
 use std::fmt;
 
 use super::border::Borders;
-use super::edge::{Border, Edge, Side};
 use super::check::{Check, CheckOptions, Verdict};
+use super::edge::{Border, Edge, Side};
 use super::foreign::Reason;
 use super::handedness::mirrored_faces;
 use crate::envmap::{Face, SignedAxis};
@@ -12,21 +12,52 @@ use crate::envmap::{Face, SignedAxis};
 /// A remark in the report. None of them makes a map broken, except [`Note::Foreign`], which says why it is.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
-    Foreign { face: Face, file: String, reason: Reason },
+    Foreign {
+        face: Face,
+        file: String,
+        reason: Reason,
+    },
     /// A 1-pixel frame, left out of the measure.
-    Framed { image: Face },
+    Framed {
+        image: Face,
+    },
     /// The smallest and largest side in texels.
-    Sizes { smallest: usize, largest: usize },
-    NotSquare { image: Face },
-    Alpha { images: Vec<Face> },
+    Sizes {
+        smallest: usize,
+        largest: usize,
+    },
+    NotSquare {
+        image: Face,
+    },
+    Alpha {
+        images: Vec<Face>,
+    },
     /// Faces that differ in brightness from their neighbours by about this many of 255 codes.
-    Exposure { image: Face, codes: f64 },
-    Identical { images: [Face; 2] },
-    Undecided { faces: Vec<Face> },
+    Exposure {
+        image: Face,
+        codes: f64,
+    },
+    Identical {
+        images: [Face; 2],
+    },
+    Undecided {
+        faces: Vec<Face>,
+    },
     /// Rough seams of a geometry that fits.
-    Rough { seams: usize, step: f64 },
-    Mirrored { faces: Vec<Face>, after: Vec<Face>, changes: bool },
-    Sky { sky: Face, up: SignedAxis, there: bool },
+    Rough {
+        seams: usize,
+        step: f64,
+    },
+    Mirrored {
+        faces: Vec<Face>,
+        after: Vec<Face>,
+        changes: bool,
+    },
+    Sky {
+        sky: Face,
+        up: SignedAxis,
+        there: bool,
+    },
 }
 
 /// All remarks in the order of the report.
@@ -81,7 +112,9 @@ fn exposures(check: &Check, borders: &Borders) -> Vec<Note> {
 }
 
 fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
-    notes.extend(Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }));
+    notes.extend(
+        Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
+    );
     for facts in check.images.iter().filter(|facts| facts.width != facts.height) {
         notes.push(Note::NotSquare { image: facts.face });
     }
@@ -128,7 +161,9 @@ impl fmt::Display for Note {
                 let what = match reason {
                     Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
                     Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),
-                    Reason::AnotherScene => "its borders fit nothing in any laying: a picture of something else".to_owned(),
+                    Reason::AnotherScene => {
+                        "its borders fit nothing in any laying: a picture of something else".to_owned()
+                    }
                 };
                 write!(formatter, "{} ({file}) does not belong here: {what}", face.name())
             }
@@ -136,12 +171,21 @@ impl fmt::Display for Note {
                 write!(formatter, "{} has a frame one texel wide; the texels inside it were compared", image.name())
             }
             Self::Sizes { smallest, largest } => {
-                write!(formatter, "the images differ in size, from {smallest} to {largest} texels: borders were resampled")
+                write!(
+                    formatter,
+                    "the images differ in size, from {smallest} to {largest} texels: borders were resampled"
+                )
             }
             Self::NotSquare { image } => write!(formatter, "{} is not square", image.name()),
             Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
             Self::Exposure { image, codes } => {
-                write!(formatter, "{} is {} than all its neighbours, by {:.1} of 255 on average: exposed otherwise", image.name(), if *codes > 0.0 { "brighter" } else { "darker" }, codes.abs())
+                write!(
+                    formatter,
+                    "{} is {} than all its neighbours, by {:.1} of 255 on average: exposed otherwise",
+                    image.name(),
+                    if *codes > 0.0 { "brighter" } else { "darker" },
+                    codes.abs()
+                )
             }
             Self::Identical { images: [one, other] } => {
                 write!(formatter, "{} and {} are the same along all their borders", one.name(), other.name())
@@ -157,7 +201,10 @@ impl fmt::Display for Note {
                 if *changes {
                     let before = if faces.is_empty() { "none" } else { &names(faces) };
                     let after = if after.is_empty() { "none" } else { &names(after) };
-                    write!(formatter, "from the table alone: mirrored in a right-handed world are {before} now, {after} after the fix")
+                    write!(
+                        formatter,
+                        "from the table alone: mirrored in a right-handed world are {before} now, {after} after the fix"
+                    )
                 } else {
                     write!(formatter, "from the table alone: a right-handed world sees {} mirrored", names(faces))
                 }
@@ -166,7 +213,11 @@ impl fmt::Display for Note {
                 write!(formatter, "the sky seems to be {}: at the declared up axis {up}", sky.name())
             }
             Self::Sky { sky, up, there: false } => {
-                write!(formatter, "the sky seems to be {}, which is not at the declared up axis {up} (a hint from brightness and detail)", sky.name())
+                write!(
+                    formatter,
+                    "the sky seems to be {}, which is not at the declared up axis {up} (a hint from brightness and detail)",
+                    sky.name()
+                )
             }
         }
     }

@@ -100,7 +100,8 @@ impl Puzzle {
     /// where they continue each other, near 1 where they are as good as strangers, and 1 where nothing costs anything.
     pub fn fit(&self, arrangement: &Arrangement, edge: usize) -> f64 {
         let (images, borders) = self.ends(arrangement, edge);
-        let strangers = (0..2).map(|end| self.costs.mean_with_others(images[end], borders[end].side)).sum::<f64>() / 2.0;
+        let strangers =
+            (0..2).map(|end| self.costs.mean_with_others(images[end], borders[end].side)).sum::<f64>() / 2.0;
         // The cost of rounding errors alone.
         const NOTHING: f64 = 2.0;
         (self.edge_cost(arrangement, edge) + NOTHING) / (strangers + NOTHING)

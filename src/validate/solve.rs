@@ -37,7 +37,8 @@ impl Solution {
 
     /// True if at least half of the faces tell how they lie, and so do those that change.
     fn tells(&self, given: &Arrangement) -> bool {
-        let relaid = |&face: &usize| self.arrangement.images[face] == given.images[face] && self.arrangement.layings[face] != 0;
+        let relaid =
+            |&face: &usize| self.arrangement.images[face] == given.images[face] && self.arrangement.layings[face] != 0;
         self.telling_faces() >= 3 && (0..6).filter(relaid).all(|face| self.excluded[face] >= 3)
     }
 }
@@ -107,10 +108,7 @@ impl Question<'_> {
         foreign: Option<Foreign>,
         equivalents: usize,
     ) -> Solution {
-        let (mut excluded, margin) = self.alternatives(&arrangement);
-        if let Some(foreign) = foreign {
-            excluded[foreign.face.index()] = 0;
-        }
+        let (excluded, margin) = self.alternatives(&arrangement, foreign.map(|foreign| foreign.face));
         Solution { arrangement, convention, excluded, margin, equivalents, foreign }
     }
 
@@ -134,9 +132,12 @@ impl Question<'_> {
         let given = self.given();
         let named = convention::candidates(self.lookup, self.quake_names);
         let variants = variants(best, ties);
-        let turned = || variants.iter().flat_map(|variant| Symmetry::all().into_iter().map(|turn| turn.of(variant, self.lookup)));
+        let turned = || {
+            variants.iter().flat_map(|variant| Symmetry::all().into_iter().map(|turn| turn.of(variant, self.lookup)))
+        };
         let mut candidates = vec![given];
-        candidates.extend(named.iter().map(|(_, known)| *known).filter(|known| any_order || known.images == given.images));
+        candidates
+            .extend(named.iter().map(|(_, known)| *known).filter(|known| any_order || known.images == given.images));
         if any_order {
             candidates.extend(turned());
         } else {
@@ -204,18 +205,21 @@ impl Question<'_> {
     /// True if the user named an up axis, the pictures show sky and ground, and the sky lies elsewhere.
     fn sky_is_elsewhere(&self, arrangement: &Arrangement) -> bool {
         let (Some(up), Some([sky, ground])) = (self.options.world_up, self.sky) else { return false };
-        let image = |axis: SignedAxis| arrangement.images[Face::on_axis(usize::from(axis.axis), !axis.negative).index()];
+        let image =
+            |axis: SignedAxis| arrangement.images[Face::on_axis(usize::from(axis.axis), !axis.negative).index()];
         (image(up), image(-up)) != (sky, ground)
     }
 
     /// By face the number of other layings that are decisively worse, and the standard errors by which the best of
-    /// all those is worse.
-    fn alternatives(&self, found: &Arrangement) -> ([usize; 6], f64) {
+    /// all those is worse. The seams of a face that does not belong tell nothing, in whatever laying.
+    fn alternatives(&self, found: &Arrangement, foreign: Option<Face>) -> ([usize; 6], f64) {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
-        for face in Face::ALL {
-            for other in self.others(found, face) {
-                let comparison = self.puzzle.compare(found, &other);
+        let without = foreign.map(|face| found.images[face.index()]);
+        for face in Face::ALL.into_iter().filter(|&face| foreign != Some(face)) {
+            let others = if foreign.is_some() { relaid(found, face) } else { self.others(found, face) };
+            for other in others {
+                let comparison = self.puzzle.compare_without(found, &other, without);
                 if comparison.is_decisive() {
                     excluded[face.index()] += 1;
                     margin = margin.min(comparison.standard_errors());
@@ -232,6 +236,12 @@ impl Question<'_> {
         let fixed = |laying| Freedom { fixed: Some((face, laying)), ..Freedom::TRUSTED };
         (0..8).filter(|&laying| laying != own).map(|laying| cheapest(self.puzzle, &base, fixed(laying))).collect()
     }
+}
+
+/// The seven arrangements that lay one face otherwise and leave the others as they are.
+fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
+    let others = (0..8).filter(|&laying| laying != found.layings[face.index()]);
+    others.map(|laying| found.with_laying(face, laying)).collect()
 }
 
 /// The convention that an arrangement is.

@@ -56,8 +56,11 @@ pub fn right_maps() -> Vec<(&'static str, Map)> {
         ("openexr/OrientationCube.exr", openexr, 0),
     ];
     let project = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps").join(name);
-    let mut maps: Vec<(&'static str, PathBuf, [Face; 6], usize)> =
-        ["compass", "courtyard"].map(|name| (name, project(name), own, 0)).into_iter().filter(|map| map.1.exists()).collect();
+    let mut maps: Vec<(&'static str, PathBuf, [Face; 6], usize)> = ["compass", "courtyard"]
+        .map(|name| (name, project(name), own, 0))
+        .into_iter()
+        .filter(|map| map.1.exists())
+        .collect();
     for (name, order, laying) in real {
         maps.extend(shared_map(name).map(|path| (name, path, order, laying)));
     }
@@ -95,7 +98,9 @@ impl Map {
     fn exposure(&self) -> f32 {
         let Texels::Linear(_) = self.pictures[0].texels() else { return 1.0 };
         let texels = |picture: &Picture| match picture.texels() {
-            Texels::Linear(colours) => colours.iter().map(|colour| colour.element_sum() / 3.0).sum::<f32>() / colours.len() as f32,
+            Texels::Linear(colours) => {
+                colours.iter().map(|colour| colour.element_sum() / 3.0).sum::<f32>() / colours.len() as f32
+            }
             Texels::Srgb8(_) => 1.0,
         };
         let mean = self.pictures.iter().map(texels).sum::<f32>() / 6.0;
@@ -132,9 +137,12 @@ pub fn laid(picture: &Picture, laying: Laying) -> Picture {
     }
     let size = picture.width();
     let operation = laying.image_operation(VOrigin::Top);
-    let places = (0..size).flat_map(|y| (0..size).map(move |x| operation.source(x, y, size))).map(|(x, y)| y * size + x);
+    let places =
+        (0..size).flat_map(|y| (0..size).map(move |x| operation.source(x, y, size))).map(|(x, y)| y * size + x);
     let texels = match picture.texels() {
-        Texels::Srgb8(bytes) => Texels::Srgb8(places.flat_map(|at| [bytes[3 * at], bytes[3 * at + 1], bytes[3 * at + 2]]).collect()),
+        Texels::Srgb8(bytes) => {
+            Texels::Srgb8(places.flat_map(|at| [bytes[3 * at], bytes[3 * at + 1], bytes[3 * at + 2]]).collect())
+        }
         Texels::Linear(colours) => Texels::Linear(places.map(|at| colours[at]).collect()),
     };
     Picture::new(picture.header(), texels)
@@ -163,7 +171,8 @@ fn scaled(picture: &Picture, size: usize, factor: f32) -> Raster {
 /// An 8-bit picture computed from column, row and size; display colours from 0 to 255.
 #[allow(dead_code)]
 pub fn computed(size: usize, colour: impl Fn(usize, usize) -> [f32; 3]) -> Picture {
-    let bytes = (0..size * size).flat_map(|at| colour(at % size, at / size).map(|value| value.round().clamp(0.0, 255.0) as u8));
+    let bytes =
+        (0..size * size).flat_map(|at| colour(at % size, at / size).map(|value| value.round().clamp(0.0, 255.0) as u8));
     let header = Header { width: size, height: size, format: Format::Png, bit_depth: 8, alpha: false };
     Picture::new(header, Texels::Srgb8(bytes.collect()))
 }
