@@ -2,7 +2,6 @@
 
 mod common;
 #[path = "damage/pictures.rs"]
-#[allow(dead_code)]
 mod pictures;
 
 use std::path::{Path, PathBuf};
