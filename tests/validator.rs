@@ -177,3 +177,46 @@ fn the_report_on_a_copied_face() {
     let check = faulty(|pictures| pictures[0] = pictures[4].clone());
     insta::assert_snapshot!("copied_text", CheckReport::new("copied".to_owned(), &check));
 }
+
+/// The step across an edge measured with directions alone: just inside either face, through `CubeMap::sample`.
+fn sampled_step(map: &CubeMap, edge: skycube::validate::Edge, size: usize) -> f64 {
+    let free = 3 - edge.first.axis() - edge.second.axis();
+    let inside = 1.0 - 1.0 / size as f32;
+    let mut sum = 0.0;
+    for texel in 0..size {
+        let along = 2.0 * (texel as f32 + 0.5) / size as f32 - 1.0;
+        let colour = |face: Face, neighbour: Face| {
+            let mut direction = face.normal() + inside * neighbour.normal();
+            direction[free] = along;
+            map.sample(direction).to_array().map(|value| (255.0 * skycube::colour::encode_srgb(value)).round())
+        };
+        let (one, other) = (colour(edge.first, edge.second), colour(edge.second, edge.first));
+        sum += (0..3).map(|channel| f64::from((one[channel] - other[channel]).abs())).sum::<f64>() / 3.0;
+    }
+    sum / size as f64
+}
+
+#[test]
+fn steps_are_those_that_directions_see_before_and_after_the_fix() {
+    let skybox = Skybox::open(&compass()).unwrap();
+    let size = skybox.image(Face::PosX).header().width;
+    for lookup in [Preset::Exercise, Preset::HumusYUp, Preset::Opengl] {
+        let map = load(&skybox, lookup.lookup()).unwrap();
+        let check = check(&map, ImageFacts::of_skybox(&skybox), &options(lookup, None)).unwrap();
+        let mended = load(&skybox, check.fix.lookup(&check.lookup)).unwrap();
+        for (map, seams) in [(&map, &check.seams), (&mended, &check.fix.seams_after)] {
+            assert_eq!(seams.len(), 12);
+            for seam in seams {
+                let seen = sampled_step(map, seam.edge, size);
+                assert!(
+                    (seen - seam.step).abs() < 1e-6,
+                    "{} {}: {seen} {}",
+                    lookup.name(),
+                    seam.edge.name(),
+                    seam.step
+                );
+            }
+        }
+        assert!(check.fix.seams_after.iter().all(|seam| seam.score < 3.0), "{}", lookup.name());
+    }
+}

@@ -158,3 +158,20 @@ impl PairCosts {
         costs.sum::<f64>() / 40.0
     }
 }
+
+#[cfg(test)]
+impl PairCosts {
+    /// Costs made up by a function of two border numbers and whether they run against each other.
+    pub fn made_up(cost: impl Fn(usize, usize, bool) -> f64) -> Self {
+        let mut totals = vec![0.0; 24 * 24 * 2];
+        for (one, other) in (0..24).flat_map(|one| (one..24).map(move |other| (one, other))) {
+            for reversed in [false, true] {
+                let cost = cost(one, other, reversed);
+                totals[index(one, other, reversed)] = cost;
+                totals[index(other, one, reversed)] = cost;
+            }
+        }
+        let units = totals.iter().map(|&total| [(total / UNITS as f64) as f32; UNITS]).collect();
+        Self { units, totals }
+    }
+}

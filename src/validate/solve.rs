@@ -65,8 +65,11 @@ impl Question<'_> {
         let (best, any_order) = self.best();
         for arrangement in [self.given(), best] {
             if let Some((foreign, arrangement)) = self.foreign(&arrangement)? {
+                let image = arrangement.images[foreign.face.index()];
+                // Were the others wrong too, the face would be one of several that changed places.
+                let others_fit = !self.puzzle.compare_without(&best, &arrangement, Some(image)).is_decisive();
                 let solution = self.solution(arrangement, None, Some(foreign), 1);
-                if solution.tells(&self.given()) {
+                if others_fit && solution.tells(&self.given()) {
                     return Ok(solution);
                 }
             }
