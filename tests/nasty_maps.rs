@@ -11,7 +11,7 @@ use random::Random;
 use skycube::envmap::{Face, FacePoint, Laying, Preset};
 use skycube::math::Vec3;
 use skycube::picture::Picture;
-use skycube::validate::{Check, Names, Reason, Verdict};
+use skycube::validate::{Check, Names, Note, Reason, Verdict};
 
 const SIZE: usize = 256;
 
@@ -55,110 +55,133 @@ fn with(map: &Map, face: usize, picture: Picture) -> Map {
     Map::new(pictures)
 }
 
-fn say(what: &str, check: &Check) {
-    let foreign: Vec<String> = check.foreign.iter().map(|f| format!("{} {:?}", f.face.name(), f.reason)).collect();
-    let fixes: Vec<String> = check
-        .fix
-        .faces
-        .iter()
-        .map(|f| {
-            format!(
-                "{}{}{}",
-                f.image.name(),
-                f.laying.image_operation(skycube::envmap::VOrigin::Top).name().replace("none", ""),
-                if f.decided { "" } else { "?" }
-            )
-        })
-        .collect();
-    println!(
-        "{what:60} {:11} margin {:4.1} changes {} {foreign:?} {}",
-        check.verdict.name(),
-        check.fix.margin,
-        check.fix.changes,
-        fixes.join(" ")
-    );
+/// The project's map and the real ones at hand, as JPEG of quality 50.
+fn maps() -> Vec<(&'static str, Map)> {
+    right_maps().into_iter().map(|(name, map)| (name, map.stored(&Storage::jpeg(SIZE)))).collect()
+}
+
+/// What was found, for messages.
+fn found(check: &Check) -> String {
+    let fixes = check.fix.faces.map(|fix| (fix.image.name(), fix.laying.formulas(), fix.decided));
+    format!("{:?} {:?} {fixes:?}", check.verdict, check.foreign)
+}
+
+#[track_caller]
+fn assert_unbroken(what: &str, map: &Map) {
+    let check = map.check(Names::Auto);
+    assert!(check.verdict != Verdict::Broken && check.fix.changes == 0, "{what}: {}", found(&check));
+}
+
+fn gradient(amplitude: f32, noise: f64) -> Map {
+    from_directions(noise, |d| {
+        let height = amplitude * d.y;
+        [100.0 + height + 0.3 * amplitude * d.x, 120.0 + height + 0.2 * amplitude * d.z, 180.0 + 0.5 * height]
+    })
 }
 
 #[test]
-fn explore() {
-    let sky = |a: f32| {
-        move |d: Vec3| [100.0 + a * d.y + 0.3 * a * d.x, 120.0 + a * d.y + 0.2 * a * d.z, 180.0 + 0.5 * a * d.y]
-    };
-    for amplitude in [1.0, 3.0, 10.0] {
-        for noise in [0.0, 0.5, 2.0] {
-            let map = from_directions(noise, sky(amplitude));
-            say(&format!("gradient {amplitude} noise {noise}"), &map.check(Names::Auto));
-            for storage in [Storage::png(SIZE), Storage::jpeg(SIZE)] {
-                let map = map.stored(&storage);
-                say(&format!("  stored {}", storage.name()), &map.check(Names::Auto));
-                let mut layings = [Laying::IDENTITY; 6];
-                layings[2] = Laying::ALL[4];
-                say("  top turned", &map.damaged(&[0, 1, 2, 3, 4, 5], &layings).check(Names::Auto));
+fn nearly_flat_skies_are_not_broken_and_a_turned_face_is_found_or_undecided() {
+    for (amplitude, noise) in [1.0, 3.0, 10.0].into_iter().flat_map(|a| [0.0, 0.5, 2.0].map(move |noise| (a, noise))) {
+        let original = gradient(amplitude, noise);
+        for storage in [Storage::png(SIZE), Storage::jpeg(SIZE)] {
+            let map = original.stored(&storage);
+            let what = format!("gradient {amplitude}, noise {noise}, {}", storage.name());
+            assert_unbroken(&what, &map);
+            let mut layings = [Laying::IDENTITY; 6];
+            layings[2] = Laying::ALL[4];
+            let check = map.damaged(&[0, 1, 2, 3, 4, 5], &layings).check(Names::Auto);
+            let top = check.fix.faces[2];
+            assert!(top.laying == Laying::ALL[5] || !top.decided, "{what}: {}", found(&check));
+            assert!(check.fix.faces.iter().all(|fix| fix.face == top.face || fix.laying == Laying::IDENTITY), "{what}");
+        }
+    }
+}
+
+#[test]
+fn a_turned_face_in_a_smooth_sky_of_one_code_is_found() {
+    let mut layings = [Laying::IDENTITY; 6];
+    layings[2] = Laying::ALL[4];
+    let check = gradient(1.0, 0.0).damaged(&[0, 1, 2, 3, 4, 5], &layings).check(Names::Auto);
+    assert_eq!((check.verdict, check.fix.changes, check.fix.faces[2].laying), (Verdict::Broken, 1, Laying::ALL[5]));
+}
+
+#[test]
+fn stars_are_undecidable() {
+    for count in [20, 200, 2000] {
+        let map = stars(count);
+        assert_eq!(map.check(Names::Auto).verdict, Verdict::Undecidable, "{count} stars");
+        assert_eq!(map.stored(&Storage::jpeg(SIZE)).check(Names::Auto).verdict, Verdict::Undecidable, "{count} stars");
+    }
+}
+
+#[test]
+fn unrelated_pictures_are_undecidable() {
+    let maps = maps();
+    if maps.len() < 6 {
+        return;
+    }
+    let mut random = Random(3);
+    for trial in 0..20 {
+        let pictures: [Picture; 6] = std::array::from_fn(|face| {
+            let map = &maps[(trial + face * (1 + trial % 3)) % maps.len()].1;
+            laid(&map.pictures()[random.below(6)], Laying::ALL[random.below(8)])
+        });
+        assert_unbroken(&format!("mixture {trial}"), &Map::new(pictures));
+    }
+}
+
+#[test]
+fn exposure_frames_and_vignettes_do_not_break_a_right_map() {
+    for (name, map) in maps() {
+        for factors in [[0.9, 1.1, 1.0, 0.95, 1.05, 0.9], [0.7, 1.2, 1.0, 0.8, 1.3, 0.6]] {
+            let exposed = |face: usize| changed(&map.pictures()[face], |_, _, c| c.map(|v| v * factors[face]));
+            assert_unbroken(&format!("{name} exposed by {factors:?}"), &Map::new(std::array::from_fn(exposed)));
+        }
+        let border = |i: usize| i == 0 || i == SIZE - 1;
+        let framed =
+            |face: usize| changed(&map.pictures()[face], |x, y, c| if border(x) || border(y) { [10.0; 3] } else { c });
+        let framed = Map::new(std::array::from_fn(framed));
+        assert_unbroken(&format!("{name} framed"), &framed);
+        let square = |i: usize| (i as f32 / SIZE as f32 - 0.5).powi(2);
+        let vignette = |face: usize| {
+            changed(&map.pictures()[face], |x, y, c| c.map(|v| v * (1.0 - 0.5 * (square(x) + square(y)))))
+        };
+        assert_unbroken(&format!("{name} with vignettes"), &Map::new(std::array::from_fn(vignette)));
+    }
+}
+
+#[test]
+fn a_dark_frame_is_named() {
+    let map = &maps()[0].1;
+    let framed =
+        changed(&map.pictures()[3], |x, y, c| if x.min(y) == 0 || x.max(y) == SIZE - 1 { [5.0; 3] } else { c });
+    let check = with(map, 3, framed).check(Names::Auto);
+    assert_eq!(check.verdict, Verdict::Fits);
+    assert!(check.notes.contains(&Note::Framed { image: Face::NegY }), "{:?}", check.notes);
+}
+
+#[test]
+fn a_face_that_does_not_belong_is_named() {
+    // Of the real maps those whose every face has detail along its borders.
+    let maps: Vec<(&str, Map)> = maps()
+        .into_iter()
+        .filter(|(name, _)| ["compass", "meadow", "studio-garden", "city-upside-down"].contains(name))
+        .collect();
+    for (index, (name, map)) in maps.iter().enumerate() {
+        for face in 0..6 {
+            let grey = computed(SIZE, |_, _| [128.0; 3]);
+            let mut cases =
+                vec![(grey, Reason::Flat), (map.pictures()[face ^ 1].clone(), Reason::CopyOf(Face::ALL[face ^ 1]))];
+            if maps.len() > 1 {
+                cases.push((maps[(index + 1) % maps.len()].1.pictures()[face].clone(), Reason::AnotherScene));
+            }
+            for (picture, reason) in cases {
+                let check = with(map, face, picture).check(Names::Auto);
+                let foreign: Vec<(Face, Reason)> = check.foreign.iter().map(|one| (one.face, one.reason)).collect();
+                assert_eq!(check.verdict, Verdict::Broken, "{name} {face} {reason:?}: {}", found(&check));
+                assert_eq!(foreign, [(Face::ALL[face], reason)], "{name}");
+                assert_eq!(check.fix.changes, 0, "{name} {face} {reason:?}");
             }
         }
     }
-    for count in [20, 200, 2000] {
-        let map = stars(count);
-        say(&format!("stars {count}"), &map.check(Names::Auto));
-        say("  jpeg", &map.stored(&Storage::jpeg(SIZE)).check(Names::Auto));
-    }
-    let maps: Vec<(&str, Map)> = right_maps().into_iter().map(|(n, m)| (n, m.stored(&Storage::jpeg(SIZE)))).collect();
-    // six unrelated
-    let mut random = Random(3);
-    for trial in 0..20 {
-        let pictures: Vec<Picture> = (0..6)
-            .map(|f| {
-                let m = &maps[(trial + f * (1 + trial % 3)) % maps.len()].1;
-                laid(&m.pictures()[random.below(6)], Laying::ALL[random.below(8)])
-            })
-            .collect();
-        say(&format!("unrelated {trial}"), &Map::new(pictures.try_into().unwrap()).check(Names::Auto));
-    }
-    for (index, (name, map)) in maps.iter().enumerate() {
-        say(name, &map.check(Names::Auto));
-        for face in 0..6 {
-            let grey = computed(SIZE, |_, _| [128.0; 3]);
-            say(&format!("{name} grey {face}"), &with(map, face, grey).check(Names::Auto));
-            let black = computed(SIZE, |_, _| [0.0; 3]);
-            say(&format!("{name} black {face}"), &with(map, face, black).check(Names::Auto));
-            let copy = map.pictures()[(face + 2) % 6].clone();
-            say(&format!("{name} copy {face} of {}", (face + 2) % 6), &with(map, face, copy).check(Names::Auto));
-            let copy = map.pictures()[face ^ 1].clone();
-            say(&format!("{name} copy {face} of {}", face ^ 1), &with(map, face, copy).check(Names::Auto));
-            let other = maps[(index + 1) % maps.len()].1.pictures()[face].clone();
-            say(&format!("{name} other scene {face}"), &with(map, face, other).check(Names::Auto));
-        }
-        let exposed = std::array::from_fn(|face| {
-            let factor = [0.9, 1.1, 1.0, 0.95, 1.05, 0.9][face];
-            changed(&map.pictures()[face], |_, _, c| c.map(|v| v * factor))
-        });
-        say(&format!("{name} exposed 10 %"), &Map::new(exposed).check(Names::Auto));
-        let exposed = std::array::from_fn(|face| {
-            let factor = [0.7, 1.2, 1.0, 0.8, 1.3, 0.6][face];
-            changed(&map.pictures()[face], |_, _, c| c.map(|v| v * factor))
-        });
-        say(&format!("{name} exposed 40 %"), &Map::new(exposed).check(Names::Auto));
-        let framed = std::array::from_fn(|face| {
-            changed(&map.pictures()[face], |x, y, c| {
-                if x == 0 || y == 0 || x == SIZE - 1 || y == SIZE - 1 { [10.0; 3] } else { c }
-            })
-        });
-        let framed = Map::new(framed);
-        let check = framed.check(Names::Auto);
-        say(&format!("{name} framed ({} notes)", check.notes.len()), &check);
-        let vignette = std::array::from_fn(|face| {
-            changed(&map.pictures()[face], |x, y, c| {
-                let r = |i: usize| (i as f32 / SIZE as f32 - 0.5).powi(2);
-                c.map(|v| v * (1.0 - 0.5 * (r(x) + r(y))))
-            })
-        });
-        say(&format!("{name} vignette"), &Map::new(vignette).check(Names::Auto));
-        // panorama slightly different resampling: each face shifted by one texel
-        let shifted = std::array::from_fn(|face| {
-            let p = &map.pictures()[face];
-            computed(SIZE, |x, y| display(p, (x + 2).min(SIZE - 1), (y + 1).min(SIZE - 1)))
-        });
-        say(&format!("{name} shifted"), &Map::new(shifted).check(Names::Auto));
-    }
-    let _ = (Reason::Flat, Verdict::Fits);
 }

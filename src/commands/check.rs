@@ -1,6 +1,6 @@
 //! `skycube check`: whether six pictures fit together, and what to change if not.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -9,7 +9,7 @@ use super::options::read_lookup;
 use crate::envmap::SignedAxis;
 use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
-use crate::report::CheckReport;
+use crate::report::{CheckReport, failed_check_json};
 use crate::validate::{Check, CheckOptions, ImageFacts, Names, Verdict, check, load};
 
 /// How a map is to be looked at; shared by all commands that check one.
@@ -76,7 +76,7 @@ pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
     check_several(&arguments.maps, arguments)
 }
 
-fn check_one(map: &std::path::Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<Outcome> {
+fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<Outcome> {
     let check = arguments.validation.check(skybox)?;
     let report = CheckReport::new(map.display().to_string(), &check);
     if arguments.json {
@@ -87,62 +87,80 @@ fn check_one(map: &std::path::Path, skybox: &Skybox, arguments: &CheckArguments)
     Ok(outcome(check.verdict, arguments.strict))
 }
 
-/// The maps in a folder of maps, sorted: what lies in it and opens as one.
-fn maps_inside(folder: &std::path::Path) -> Vec<PathBuf> {
+/// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one is listed
+/// too: its line says what is wrong.
+fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     paths.sort();
-    let is_map = |path: &PathBuf| path.is_dir() || Skybox::open_lenient(path).is_ok();
-    paths.retain(is_map);
-    paths
+    let mut maps = Vec::new();
+    for path in paths {
+        if Skybox::open_lenient(&path).is_ok() {
+            maps.push(path);
+        } else if path.is_dir() {
+            let inside = maps_inside(&path);
+            maps.extend(if inside.is_empty() { vec![path] } else { inside });
+        }
+    }
+    maps
+}
+
+/// How many maps ended in which way.
+#[derive(Default)]
+struct Counts {
+    fits: usize,
+    broken: usize,
+    undecidable: usize,
+    failed: usize,
 }
 
 fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome> {
-    let mut counts = [0; 3];
-    let mut failed = 0;
-    let mut reports = Vec::new();
+    let mut counts = Counts::default();
+    let mut entries = Vec::new();
     for map in maps {
-        match Skybox::open_lenient(map).and_then(|skybox| arguments.validation.check(&skybox)) {
-            Ok(check) => {
-                counts[check.verdict as usize] += 1;
-                let report = CheckReport::new(map.display().to_string(), &check);
-                if arguments.json {
-                    reports.push(report.to_json());
-                } else {
-                    println!("{}", report.line());
-                }
-            }
-            Err(error) => {
-                failed += 1;
-                if arguments.json {
-                    reports.push(crate::report::failed_check_json(&map.display().to_string(), &error));
-                } else {
-                    println!("{}: cannot be checked: {}", map.display(), error.problem());
-                }
-                eprintln!("error: {error}");
-            }
+        entries.push(check_one_of_several(map, arguments, &mut counts));
+        if !arguments.json {
+            println!("{}", entries[entries.len() - 1]);
         }
     }
-    let [fits, broken, undecidable] = counts;
+    let Counts { fits, broken, undecidable, failed } = counts;
     if arguments.json {
-        println!("[\n{}\n]", reports.join(",\n"));
+        println!("[\n{}\n]", entries.join(",\n"));
     } else {
-        println!(
-            "{} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked",
-            maps.len()
-        );
+        let count = maps.len();
+        println!("{count} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked");
     }
     if failed > 0 {
         return Err(Error::new(format!("{failed} of {} maps could not be checked", maps.len())));
     }
-    let worst = if broken > 0 {
-        Verdict::Broken
-    } else if undecidable > 0 {
-        Verdict::Undecidable
-    } else {
-        Verdict::Fits
-    };
-    Ok(outcome(worst, arguments.strict))
+    let faults = broken > 0 || (arguments.strict && undecidable > 0);
+    Ok(if faults { Outcome::Faults } else { Outcome::Clean })
+}
+
+/// The line of a map, or its JSON. What is wrong with a map that cannot be checked goes to stderr in full.
+fn check_one_of_several(map: &Path, arguments: &CheckArguments, counts: &mut Counts) -> String {
+    let name = map.display().to_string();
+    match Skybox::open_lenient(map).and_then(|skybox| arguments.validation.check(&skybox)) {
+        Ok(check) => {
+            match check.verdict {
+                Verdict::Fits => counts.fits += 1,
+                Verdict::Broken => counts.broken += 1,
+                Verdict::Undecidable => counts.undecidable += 1,
+            }
+            let report = CheckReport::new(name, &check);
+            if arguments.json { report.to_json() } else { report.line() }
+        }
+        Err(error) => {
+            counts.failed += 1;
+            eprintln!("error: {error}");
+            let problem = error.problem().lines().next().unwrap_or_default();
+            if arguments.json {
+                failed_check_json(&name, &error)
+            } else {
+                format!("{name}: cannot be checked: {problem}")
+            }
+        }
+    }
 }
 
 fn outcome(verdict: Verdict, strict: bool) -> Outcome {

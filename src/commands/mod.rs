@@ -3,6 +3,7 @@
 mod bake;
 mod check;
 mod cross;
+mod fix;
 mod interrupt;
 mod map_options;
 mod options;
@@ -49,6 +50,8 @@ enum Command {
     Probe(probe::ProbeArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
     Shots(shots::ShotsArguments),
+    /// Write six corrected files, or print the corrected lookup
+    Fix(fix::FixArguments),
 }
 
 /// Runs the command line of this process.
@@ -60,6 +63,7 @@ pub fn run() -> ExitCode {
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
+        Command::Fix(arguments) => fix::run(&arguments),
     };
     exit_code(result)
 }

@@ -34,6 +34,11 @@ impl SignedAxis {
         if self.negative { -1.0 } else { 1.0 }
     }
 
+    /// The component of a vector along this axis.
+    pub fn component(self, vector: [f32; 3]) -> f32 {
+        self.sign() * vector[usize::from(self.axis)]
+    }
+
     /// A number from 0 to 7: the axis, plus 4 if negative.
     #[inline(always)]
     pub(super) fn code(self) -> usize {

@@ -9,6 +9,7 @@ mod encode;
 mod foreign;
 mod format;
 mod jpeg_extent;
+mod lay;
 mod openexr;
 mod output_format;
 mod pixel_codecs;

@@ -74,11 +74,19 @@ pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
     serde_json::to_string_pretty(&Failed { map, error: error.to_string() }).expect("plain data")
 }
 
-/// The assignments that differ from u = u, v = v.
+/// The statements that turn u, v into u', v', to be put behind those that compute u and v.
+fn statements(fix: &FaceFix) -> Vec<&'static str> {
+    let Laying { swaps, inverts_u, inverts_v } = fix.laying;
+    // After the swap u holds the old v, so the inversions read alike with and without it.
+    let all = [(swaps, "swap(u, v);"), (inverts_u, "u = 1 - u;"), (inverts_v, "v = 1 - v;")];
+    all.into_iter().filter(|(needed, _)| *needed).map(|(_, statement)| statement).collect()
+}
+
+/// The coordinates that differ from u and v, as formulas.
 fn formulas(fix: &FaceFix) -> Vec<String> {
     let (u, v) = fix.laying.formulas();
     let changed = [("u", u), ("v", v)].into_iter().filter(|(name, formula)| name != formula);
-    changed.map(|(name, formula)| format!("{name} = {formula}")).collect()
+    changed.map(|(name, formula)| format!("{name}' = {formula}")).collect()
 }
 
 #[derive(serde::Serialize)]
@@ -241,9 +249,9 @@ impl CheckReport<'_> {
         let file = &check.images[fix.image.index()].file;
         let mut code = Vec::new();
         if fix.image != check.lookup.row(fix.face).image {
-            code.push(format!("image = {};", fix.image.name().to_uppercase()));
+            code.push(format!("image = {};", fix.image.constant_name()));
         }
-        code.extend(formulas(fix).iter().map(|formula| format!("{formula};")));
+        code.extend(statements(fix).into_iter().map(str::to_owned));
         writeln!(formatter, "  {} ({file})", fix.face.name())?;
         writeln!(formatter, "    in the code: case {}: {}", fix.face.constant_name(), code.join(" "))?;
         let mut file_change = Vec::new();

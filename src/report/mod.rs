@@ -2,6 +2,7 @@
 
 mod canvas;
 mod check_report;
+mod code;
 mod compass;
 mod compass_marks;
 mod contact_sheet;
@@ -16,6 +17,7 @@ mod shots_report;
 mod text_drawing;
 
 pub use check_report::{CheckReport, failed_check_json};
+pub use code::{CodeLanguage, lookup_code};
 pub use compass::draw_compass_face;
 pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
 pub use cross_drawing::{CrossInput, draw_cross};

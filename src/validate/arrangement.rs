@@ -61,6 +61,11 @@ impl Puzzle {
     /// the sum of the differences is put in relation to the root of the sum of their squares: a number
     /// of standard errors that no single outlier can make large (de la Pena, Lai, Shao: "Self-Normalized Processes", 2009).
     pub fn compare(&self, better: &Arrangement, worse: &Arrangement) -> Comparison {
+        self.compare_without(better, worse, None)
+    }
+
+    /// The comparison without the seams of one image.
+    pub fn compare_without(&self, better: &Arrangement, worse: &Arrangement, without: Option<Face>) -> Comparison {
         let mut first = [None; 24];
         let mut second = [None; 24];
         for edge in 0..12 {
@@ -74,9 +79,10 @@ impl Puzzle {
             }
         }
         let mut comparison = Comparison::default();
-        for (first, second) in first.iter().zip(&second) {
+        let skipped = |side: usize| without.is_some_and(|image| side / 4 == image.index());
+        for (side, (first, second)) in first.iter().zip(&second).enumerate() {
             let (Some((one, alike, units)), Some((other, other_alike, others))) = (first, second) else { continue };
-            if (one, alike) == (other, other_alike) {
+            if (one, alike) == (other, other_alike) || skipped(side) || skipped(*one) || skipped(*other) {
                 continue;
             }
             comparison.add(units, others);
@@ -92,7 +98,14 @@ pub struct Comparison {
     pub better: f64,
     pub worse: f64,
     squares: f64,
+    /// Sums over the units that differ strongly, for and against the better one; and how many there are.
+    strong_gains: f64,
+    strong_losses: f64,
+    strong: usize,
 }
+
+/// A difference of a unit that rounding and noise do not make: a factor of e in likelihood.
+const STRONG: f64 = 1.0;
 
 impl Comparison {
     fn add(&mut self, better: &Units, worse: &Units) {
@@ -101,6 +114,11 @@ impl Comparison {
             self.better += better;
             self.worse += worse;
             self.squares += (worse - better) * (worse - better);
+            if (worse - better).abs() > STRONG {
+                self.strong += 1;
+                self.strong_gains += (worse - better).max(0.0);
+                self.strong_losses += (better - worse).max(0.0);
+            }
         }
     }
 
@@ -108,6 +126,13 @@ impl Comparison {
     /// n independent units is n / 2.
     pub fn standard_errors(&self) -> f64 {
         if self.squares > 0.0 { (self.worse - self.better) / (2.0 * self.squares).sqrt() } else { 0.0 }
+    }
+
+    /// The logarithm of the likelihood that the strong differences gain, each seam counted once; how many there are; and
+    /// the losses among them as a part of the gains.
+    pub fn strong(&self) -> (f64, usize, f64) {
+        let share = if self.strong_gains > 0.0 { self.strong_losses / self.strong_gains } else { 1.0 };
+        (self.strong_gains / 2.0, self.strong / 2, share)
     }
 
     /// By how much the better one lowers the cost, as a part of the worse one's.

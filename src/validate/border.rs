@@ -57,6 +57,12 @@ impl ImageBorders {
         &self.sides[side.index()].outer[index + usize::from(self.framed)]
     }
 
+    /// True if all that was read is the same.
+    pub fn holds_the_same(&self, other: &Self) -> bool {
+        let same = |(one, other): (&BorderRows, &BorderRows)| one.outer == other.outer && one.deep == other.deep;
+        self.sides.iter().zip(&other.sides).all(same)
+    }
+
     /// True if no texel along any side differs from the others.
     pub fn is_flat(&self) -> bool {
         let colour = self.row(Side::Left, 0)[0];
@@ -131,24 +137,22 @@ fn read_image(lookup: &Lookup, image: Face, picture: &Picture, display: Display)
     ImageBorders { sides, texels, framed, depth, display }
 }
 
-/// A frame: on all four sides the outermost row differs abruptly from the next one, and either it is darker
-/// everywhere or it is one colour.
+/// A frame: on all four sides the outermost row differs abruptly from the next one, and either it is one colour or
+/// it is darker nearly everywhere.
 fn is_framed(sides: &[BorderRows; 4]) -> bool {
-    let abrupt = |rows: &BorderRows| {
-        let [first, second, third, _] = &rows.outer;
-        mean_step(first, second) > 4.0 * mean_step(second, third) + 6.0
-    };
-    let darker = |rows: &BorderRows| {
-        let [first, second, ..] = &rows.outer;
-        let darker = first.iter().zip(second).filter(|(one, other)| sum(one) < sum(other)).count();
-        10 * darker > 9 * first.len()
-    };
     let colour = sides[0].outer[0][0];
     let near = |texel: &[f32; 3]| texel.iter().zip(&colour).all(|(one, other)| (one - other).abs() < 12.0);
-    let plain = sides.iter().all(|rows| {
-        let near = rows.outer[0].iter().filter(|texel| near(texel)).count();
-        10 * near > 9 * rows.outer[0].len()
-    });
+    let most = |rows: &BorderRows, count: usize| 10 * count > 9 * rows.outer[0].len();
+    let plain = sides.iter().all(|rows| most(rows, rows.outer[0].iter().filter(|texel| near(texel)).count()));
+    let darker = |rows: &BorderRows| {
+        let [first, second, ..] = &rows.outer;
+        most(rows, first.iter().zip(second).filter(|(one, other)| sum(one) < sum(other)).count())
+    };
+    let (factor, least) = if plain { (1.5, 4.0) } else { (4.0, 6.0) };
+    let abrupt = |rows: &BorderRows| {
+        let [first, second, third, _] = &rows.outer;
+        mean_step(first, second) > factor * mean_step(second, third) + least
+    };
     sides.iter().all(abrupt) && (plain || sides.iter().all(darker))
 }
 

@@ -6,13 +6,13 @@ use super::arrangement::{Arrangement, Puzzle};
 use super::border::read_borders;
 use super::convention::{self, Convention};
 use super::edge::EdgeBorders;
-use super::foreign::{self, Foreign};
+use super::foreign::Foreign;
 use super::handedness::mirrored_faces;
 use super::notes::{self, Note};
 use super::pair_cost::PairCosts;
 use super::seam::{self, Seam};
 use super::sky;
-use super::solve::{Question, Solution, corrected};
+use super::solve::{Question, Solution, UNRELATED, corrected};
 use crate::envmap::source::Skybox;
 use crate::envmap::{CubeFilter, CubeMap, Face, Laying, LazyImage, Lookup, SignedAxis};
 use crate::error::Result;
@@ -168,12 +168,13 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     let borders = read_borders(map)?;
     let puzzle = Puzzle { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
     let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
-    let sky = sky::hint(map, &borders, &puzzle)?;
-    let solution = Question { puzzle: &puzzle, lookup: &lookup, options, quake_names, sky }.solve();
+    let sky = if options.world_up.is_some() { sky::hint(map, &borders, &puzzle)? } else { None };
+    let question = Question { map, images: &borders, puzzle: &puzzle, lookup: &lookup, options, quake_names, sky };
+    let solution = question.solve()?;
 
     let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
     let found = solution.arrangement;
-    let foreign = foreign::find(map, &puzzle, &borders, &found)?;
+    let foreign: Vec<Foreign> = solution.foreign.into_iter().collect();
     let strangers: Vec<Face> = foreign.iter().map(|foreign| foreign.face).collect();
     let seams = |arrangement: &Arrangement| seam::seams(&puzzle, &borders, arrangement, &found, &strangers);
     let fix = fix_of(&solution, &given, seams(&found));
@@ -221,10 +222,6 @@ fn verdict(puzzle: &Puzzle, solution: &Solution, given: &Arrangement, foreign: &
     if found != given || !foreign.is_empty() {
         return Verdict::Broken;
     }
-    let telling = solution.excluded.iter().filter(|&&excluded| excluded >= 4).count();
-    let fit = (0..12).map(|edge| puzzle.fit(found, edge)).sum::<f64>() / 12.0;
-    if telling >= 3 && fit < UNRELATED { Verdict::Fits } else { Verdict::Undecidable }
+    let related = puzzle.mean_fit(found) < UNRELATED;
+    if related && solution.telling_faces() >= 3 { Verdict::Fits } else { Verdict::Undecidable }
 }
-
-/// The mean fit of seams from which on the six pictures have nothing to do with each other.
-const UNRELATED: f64 = 0.85;

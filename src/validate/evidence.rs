@@ -10,11 +10,19 @@ const IMPROVEMENT: f64 = 0.12;
 const FEW_STANDARD_ERRORS: f64 = 2.5;
 const NEARLY_ALL: f64 = 0.5;
 
+/// In a plain sky only a few coarse coefficients tell one laying from another: those that differ strongly must
+/// agree. Least logarithm of the likelihood, least count, and largest part of losses.
+const STRONG_GAIN: f64 = 15.0;
+const STRONG_COUNT: usize = 6;
+const STRONG_LOSS: f64 = 0.12;
+
 impl Comparison {
     /// True if chance does not explain the difference, and it is not a trifle either.
     pub fn is_decisive(&self) -> bool {
         let (errors, improvement) = (self.standard_errors(), self.improvement());
-        errors >= STANDARD_ERRORS && improvement >= IMPROVEMENT
+        let (gain, count, loss) = self.strong();
+        gain >= STRONG_GAIN && count >= STRONG_COUNT && loss <= STRONG_LOSS
+            || errors >= STANDARD_ERRORS && improvement >= IMPROVEMENT
             || errors >= FEW_STANDARD_ERRORS && improvement >= NEARLY_ALL
     }
 }

@@ -1,7 +1,7 @@
 //! Faces whose image belongs to no place in the map: another scene, one flat colour, a copy of another face.
 
 use super::arrangement::{Arrangement, Puzzle};
-use super::border::ImageBorders;
+use super::border::Borders;
 use super::edge::Edge;
 use super::seam::measure;
 use crate::envmap::{CubeMap, Face};
@@ -27,43 +27,89 @@ pub enum Reason {
 
 /// The mean fit of the four seams of a face from which on it is a stranger.
 const STRANGER: f64 = 0.8;
-/// The same for the second of two equal images.
-const STRANGER_COPY: f64 = 0.6;
+/// The same for one of two equal images.
+const STRANGER_COPY: f64 = 0.5;
+/// The same for one flat colour, which continues any plain picture but for its brightness.
+const STRANGER_FLAT: f64 = 0.3;
 /// The mean fit that the eight other seams must reach.
 const FAMILIAR: f64 = 0.7;
-/// The mean score (step over detail) below which a seam is not a visible fault.
+/// The mean score (step over detail) below which the seams are not a visible fault.
 const VISIBLE: f64 = 3.0;
 
-/// The faces that fit nothing while the others fit.
-pub fn find(map: &CubeMap, puzzle: &Puzzle, images: &[ImageBorders; 6], found: &Arrangement) -> Result<Vec<Foreign>> {
-    let fits: Vec<f64> = (0..12).map(|edge| puzzle.fit(found, edge)).collect();
-    let score = |edge: usize| measure(puzzle, images, found, edge).score;
-    let mean_fit = |touching: bool, face: Face| {
-        let chosen: Vec<f64> =
-            (0..12).filter(|&edge| Edge::ALL[edge].touches(face) == touching).map(|edge| fits[edge]).collect();
-        chosen.iter().sum::<f64>() / chosen.len() as f64
-    };
-    let mut worst: Vec<Face> = Face::ALL.to_vec();
-    worst.sort_by(|&a, &b| mean_fit(true, b).total_cmp(&mean_fit(true, a)));
-    let face = worst[0];
-    let image = found.images[face.index()];
-    let copy = copy_of(map, images, image)?;
-    let threshold = if copy.is_some() { STRANGER_COPY } else { STRANGER };
-    let scores = (0..12).filter(|&edge| Edge::ALL[edge].touches(face)).map(score);
-    let visible = scores.sum::<f64>() / 4.0 >= VISIBLE;
-    if mean_fit(true, face) < threshold || mean_fit(false, face) > FAMILIAR || !visible {
-        return Ok(Vec::new());
+/// The mean cost, brightness apart, that two unlike patterns have at least.
+const ANOTHER_PATTERN: f64 = 30.0;
+
+/// The face that fits nothing, in any laying, while the others fit as `arrangement` has them. The image of that face is
+/// left as it is given.
+pub fn find(
+    map: &CubeMap,
+    puzzle: &Puzzle,
+    images: &Borders,
+    arrangement: &Arrangement,
+) -> Result<Option<(Foreign, Arrangement)>> {
+    let judged = Face::ALL.map(|face| best_laid(puzzle, arrangement, face));
+    let worst = |a: &usize, b: &usize| judged[*a].1.total_cmp(&judged[*b].1);
+    let Some(worst) = (0..6).max_by(worst) else { return Ok(None) };
+    let (face, (laid, fit)) = (Face::ALL[worst], &judged[worst]);
+    if mean_fit(puzzle, laid, face, false) > FAMILIAR || mean_score(puzzle, images, laid, face) < VISIBLE {
+        return Ok(None);
     }
-    let reason = match copy {
-        Some(other) => Reason::CopyOf(other),
-        None if images[image.index()].is_flat() => Reason::Flat,
-        None => Reason::AnotherScene,
+    let image = laid.images[worst];
+    let copy = copy_of(map, images, image)?;
+    let (reason, threshold, fit) = match copy {
+        // A copy laid as a mirror image of its original closes the seam between the two, which says nothing.
+        Some(other) => {
+            let original = Face::ALL.into_iter().find(|face| laid.images[face.index()] == other);
+            (Reason::CopyOf(other), STRANGER_COPY, fit_without(puzzle, arrangement, face, original))
+        }
+        None if images[image.index()].is_flat() => (Reason::Flat, STRANGER_FLAT, *fit),
+        None => (Reason::AnotherScene, STRANGER, *fit),
     };
-    Ok(vec![Foreign { face, reason }])
+    let unlike = reason != Reason::AnotherScene || pattern_cost(puzzle, laid, face) >= ANOTHER_PATTERN;
+    Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
+}
+
+/// The mean cost of a face's seams but for their mean brightness and colour, which a different exposure explains.
+fn pattern_cost(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching
+        .map(|edge| puzzle.edge_units(arrangement, edge)[1..].iter().map(|&unit| f64::from(unit)).sum::<f64>())
+        .sum::<f64>()
+        / 4.0
+}
+
+/// The mean fit of the seams of a face, in its best laying, but for the one towards `other`.
+fn fit_without(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, other: Option<Face>) -> f64 {
+    let counts = |&edge: &usize| {
+        let edge = Edge::ALL[edge];
+        edge.touches(face) && !other.is_some_and(|other| edge.touches(other))
+    };
+    let edges: Vec<usize> = (0..12).filter(counts).collect();
+    let fit = |laid: &Arrangement| edges.iter().map(|&edge| puzzle.fit(laid, edge)).sum::<f64>() / edges.len() as f64;
+    (0..8).map(|laying| fit(&arrangement.with_laying(face, laying))).fold(f64::INFINITY, f64::min)
+}
+
+/// The arrangement with the cheapest laying of one face, and the mean fit of that face's seams.
+fn best_laid(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> (Arrangement, f64) {
+    let layings = (0..8).map(|laying| arrangement.with_laying(face, laying));
+    let fits = layings.map(|laid| (laid, mean_fit(puzzle, &laid, face, true)));
+    fits.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are eight layings")
+}
+
+/// The mean fit of the seams that touch the face, or of those that do not.
+fn mean_fit(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, touching: bool) -> f64 {
+    let chosen = |&edge: &usize| Edge::ALL[edge].touches(face) == touching;
+    let count = if touching { 4.0 } else { 8.0 };
+    (0..12).filter(chosen).map(|edge| puzzle.fit(arrangement, edge)).sum::<f64>() / count
+}
+
+fn mean_score(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching.map(|edge| measure(puzzle, images, arrangement, edge).score).sum::<f64>() / 4.0
 }
 
 /// Another image with the same texels.
-fn copy_of(map: &CubeMap, borders: &[ImageBorders; 6], image: Face) -> Result<Option<Face>> {
+fn copy_of(map: &CubeMap, borders: &Borders, image: Face) -> Result<Option<Face>> {
     if borders[image.index()].is_flat() {
         return Ok(None);
     }

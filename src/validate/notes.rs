@@ -4,6 +4,7 @@ use std::fmt;
 
 use super::border::Borders;
 use super::check::{Check, CheckOptions, Verdict};
+use super::edge::{Border, Edge, Side};
 use super::foreign::Reason;
 use super::handedness::mirrored_faces;
 use crate::envmap::{Face, SignedAxis};
@@ -68,6 +69,7 @@ pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Op
         notes.push(Note::Foreign { face: foreign.face, file, reason: foreign.reason });
     }
     pictures(check, borders, &mut notes);
+    notes.extend(exposures(check, borders));
     let undecided: Vec<Face> = check.fix.faces.iter().filter(|fix| !fix.decided).map(|fix| fix.face).collect();
     if !undecided.is_empty() {
         notes.push(Note::Undecided { faces: undecided });
@@ -85,6 +87,30 @@ pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Op
     notes
 }
 
+/// Images whose mean along their borders differs from that of all neighbours after the fix in one direction.
+fn exposures(check: &Check, borders: &Borders) -> Vec<Note> {
+    let mean = |image: Face, side: Side| {
+        let row = borders[image.index()].row(side, 0);
+        row.iter().flatten().map(|&channel| f64::from(channel)).sum::<f64>() / (3 * row.len()) as f64
+    };
+    let lookup = check.fix.lookup(&check.lookup);
+    let mut notes = Vec::new();
+    for face in Face::ALL.into_iter().filter(|&face| check.foreign.iter().all(|foreign| foreign.face != face)) {
+        let offset = |edge: &Edge| {
+            let other = if edge.first == face { edge.second } else { edge.first };
+            let side = |of: Face, towards: Face| Border::of_face(lookup.row(of), of, towards).side;
+            mean(lookup.row(face).image, side(face, other)) - mean(lookup.row(other).image, side(other, face))
+        };
+        let offsets: Vec<f64> = Edge::ALL.iter().filter(|edge| edge.touches(face)).map(offset).collect();
+        let least = offsets.iter().fold(f64::INFINITY, |least, offset| least.min(offset.abs()));
+        let alike = offsets.iter().all(|&offset| offset > 0.0) || offsets.iter().all(|&offset| offset < 0.0);
+        if alike && least > 2.0 {
+            notes.push(Note::Exposure { image: lookup.row(face).image, codes: offsets.iter().sum::<f64>() / 4.0 });
+        }
+    }
+    notes
+}
+
 fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
     notes.extend(
         Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
@@ -96,6 +122,11 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
     let (smallest, largest) = (sizes.clone().min().unwrap_or(0), sizes.max().unwrap_or(0));
     if smallest != largest {
         notes.push(Note::Sizes { smallest, largest });
+    }
+    for (one, other) in (0..6).flat_map(|one| (one + 1..6).map(move |other| (one, other))) {
+        if borders[one].holds_the_same(&borders[other]) {
+            notes.push(Note::Identical { images: [Face::ALL[one], Face::ALL[other]] });
+        }
     }
     let alpha: Vec<Face> = check.images.iter().filter(|facts| facts.alpha).map(|facts| facts.face).collect();
     if !alpha.is_empty() {
@@ -148,10 +179,16 @@ impl fmt::Display for Note {
             Self::NotSquare { image } => write!(formatter, "{} is not square", image.name()),
             Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
             Self::Exposure { image, codes } => {
-                write!(formatter, "{} is exposed otherwise than its neighbours, by {codes:.1} of 255", image.name())
+                write!(
+                    formatter,
+                    "{} is {} than all its neighbours, by {:.1} of 255 on average: exposed otherwise",
+                    image.name(),
+                    if *codes > 0.0 { "brighter" } else { "darker" },
+                    codes.abs()
+                )
             }
             Self::Identical { images: [one, other] } => {
-                write!(formatter, "{} and {} are the same picture", one.name(), other.name())
+                write!(formatter, "{} and {} are the same along all their borders", one.name(), other.name())
             }
             Self::Undecided { faces } => {
                 write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))

@@ -6,6 +6,8 @@
 //! exposed otherwise, then counts as one surprise and not as a thousand. `s^2` is the product of the two sides' own
 //! changes, so that over all ways to lay the six faces the sum is a fair comparison: every side is used once.
 
+use rayon::prelude::*;
+
 use super::border::ImageBorders;
 use super::display::Display;
 use super::edge::{Border, Side};
@@ -48,13 +50,15 @@ impl PairCosts {
         let (forwards, backwards) = (signals(false), signals(true));
         let floors = Floors::new(length, texels, images[0].display);
         let mut units = vec![[0.0; UNITS]; 24 * 24 * 2];
-        for (one, signal) in forwards.iter().enumerate() {
-            for other in one..24 {
-                for (reversed, others) in [(false, &forwards), (true, &backwards)] {
-                    let cost = pair(signal, &others[other], &floors);
-                    units[index(one, other, reversed)] = cost;
-                    units[index(other, one, reversed)] = cost;
-                }
+        let pairs: Vec<(usize, usize)> = (0..24).flat_map(|one| (one..24).map(move |other| (one, other))).collect();
+        let cost = |&(one, other): &(usize, usize)| {
+            [&forwards, &backwards].map(|others| pair(&forwards[one], &others[other], &floors))
+        };
+        let costs: Vec<[Units; 2]> = pairs.par_iter().map(cost).collect();
+        for ((one, other), costs) in pairs.into_iter().zip(costs) {
+            for (reversed, cost) in [false, true].into_iter().zip(costs) {
+                units[index(one, other, reversed)] = cost;
+                units[index(other, one, reversed)] = cost;
             }
         }
         let total = |units: &Units| units.iter().map(|&unit| f64::from(unit)).sum();
@@ -152,5 +156,22 @@ impl PairCosts {
         let others = (0..24).filter(|other| other / 4 != image.index());
         let costs = others.flat_map(|other| [false, true].map(|reversed| self.totals[index(one, other, reversed)]));
         costs.sum::<f64>() / 40.0
+    }
+}
+
+#[cfg(test)]
+impl PairCosts {
+    /// Costs made up by a function of two border numbers and whether they run against each other.
+    pub fn made_up(cost: impl Fn(usize, usize, bool) -> f64) -> Self {
+        let mut totals = vec![0.0; 24 * 24 * 2];
+        for (one, other) in (0..24).flat_map(|one| (one..24).map(move |other| (one, other))) {
+            for reversed in [false, true] {
+                let cost = cost(one, other, reversed);
+                totals[index(one, other, reversed)] = cost;
+                totals[index(other, one, reversed)] = cost;
+            }
+        }
+        let units = totals.iter().map(|&total| [(total / UNITS as f64) as f32; UNITS]).collect();
+        Self { units, totals }
     }
 }

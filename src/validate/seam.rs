@@ -91,6 +91,11 @@ impl Puzzle {
         sum / 2.0
     }
 
+    /// The mean of [`Puzzle::fit`] over all edges.
+    pub fn mean_fit(&self, arrangement: &Arrangement) -> f64 {
+        (0..12).map(|edge| self.fit(arrangement, edge)).sum::<f64>() / 12.0
+    }
+
     /// The cost of an edge as a part of what its two borders cost with the borders of all other images on average: near 0
     /// where they continue each other, near 1 where they are as good as strangers, and 1 where nothing costs anything.
     pub fn fit(&self, arrangement: &Arrangement, edge: usize) -> f64 {

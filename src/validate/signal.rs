@@ -58,10 +58,11 @@ fn resampled(row: &Row, length: usize, reversed: bool) -> Vec<Colour> {
             let (from, to) = (index as f64 * scale, (index + 1) as f64 * scale);
             let mut sum = [0.0_f32; 3];
             let mut weight = 0.0_f32;
-            for texel in from as usize..(to.ceil() as usize).min(texels) {
+            let last = (to.ceil() as usize).min(texels);
+            for (texel, colour) in row.iter().enumerate().take(last).skip(from as usize) {
                 let covered = (to.min((texel + 1) as f64) - from.max(texel as f64)) as f32;
                 weight += covered;
-                sum = std::array::from_fn(|channel| sum[channel] + covered * row[texel][channel]);
+                sum = std::array::from_fn(|channel| sum[channel] + covered * colour[channel]);
             }
             let [red, green, blue] = sum.map(|channel| channel / weight);
             [(red + 2.0 * green + blue) / 4.0, red - blue, green - (red + blue) / 2.0]

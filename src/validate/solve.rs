@@ -1,12 +1,15 @@
 //! From the cheapest arrangement to the fix: of all that are equally good the one with the fewest and simplest changes.
 
 use super::arrangement::{Arrangement, Puzzle};
+use super::border::Borders;
 use super::convention::{self, Convention};
+use super::foreign::{self, Foreign};
 use super::handedness::mirrored_faces;
 use super::search::{Freedom, cheapest};
 use super::symmetry::Symmetry;
 use super::{CheckOptions, Names};
-use crate::envmap::{Face, FaceLookup, Lookup, SignedAxis};
+use crate::envmap::{CubeMap, Face, FaceLookup, Lookup, SignedAxis};
+use crate::error::Result;
 
 /// The answer of the search.
 #[derive(Debug, Clone)]
@@ -19,10 +22,31 @@ pub struct Solution {
     pub margin: f64,
     /// Arrangements that are equally good, this one among them.
     pub equivalents: usize,
+    /// The face whose image does not belong.
+    pub foreign: Option<Foreign>,
+}
+
+/// The mean fit of seams from which on the six pictures have nothing to do with each other.
+pub const UNRELATED: f64 = 0.85;
+
+impl Solution {
+    /// Faces of which at least four other layings are decisively worse.
+    pub fn telling_faces(&self) -> usize {
+        self.excluded.iter().filter(|&&excluded| excluded >= 4).count()
+    }
+
+    /// True if at least half of the faces tell how they lie, and so do those that change.
+    fn tells(&self, given: &Arrangement) -> bool {
+        let relaid =
+            |&face: &usize| self.arrangement.images[face] == given.images[face] && self.arrangement.layings[face] != 0;
+        self.telling_faces() >= 3 && (0..6).filter(relaid).all(|face| self.excluded[face] >= 3)
+    }
 }
 
 /// What the search is about.
 pub struct Question<'a> {
+    pub map: &'a CubeMap,
+    pub images: &'a Borders,
     pub puzzle: &'a Puzzle,
     pub lookup: &'a Lookup,
     pub options: &'a CheckOptions,
@@ -36,26 +60,59 @@ impl Question<'_> {
         Arrangement::given(Face::ALL.map(|face| self.lookup.row(face).image))
     }
 
-    /// Finds the fix.
-    pub fn solve(&self) -> Solution {
-        let given = self.given();
-        let trusted = cheapest(self.puzzle, &given, Freedom::TRUSTED);
-        let named = Arrangement::given(Face::ALL);
-        let (best, any_order) = match self.options.names {
+    /// Finds the fix. What the pixels do not tell for at least half of the faces is no ground to change anything.
+    pub fn solve(&self) -> Result<Solution> {
+        let (best, any_order) = self.best();
+        for arrangement in [self.given(), best] {
+            if let Some((foreign, arrangement)) = self.foreign(&arrangement)? {
+                let image = arrangement.images[foreign.face.index()];
+                // Were the others wrong too, the face would be one of several that changed places.
+                let others_fit = !self.puzzle.compare_without(&best, &arrangement, Some(image)).is_decisive();
+                let solution = self.solution(arrangement, None, Some(foreign), 1);
+                if others_fit && solution.tells(&self.given()) {
+                    return Ok(solution);
+                }
+            }
+        }
+        let ties = self.ties(&best);
+        let (arrangement, convention) = self.simplest(&best, &ties, any_order);
+        let alike: usize = ties.iter().map(Vec::len).product();
+        let solution = self.solution(arrangement, convention, None, if any_order { 48 * alike } else { alike });
+        let related = self.puzzle.mean_fit(&arrangement) < UNRELATED;
+        if arrangement == self.given() || (related && solution.tells(&self.given())) {
+            return Ok(solution);
+        }
+        Ok(self.solution(self.given(), None, None, solution.equivalents))
+    }
+
+    fn foreign(&self, arrangement: &Arrangement) -> Result<Option<(Foreign, Arrangement)>> {
+        foreign::find(self.map, self.puzzle, self.images, arrangement)
+    }
+
+    /// The cheapest arrangement, and whether images changed places for it.
+    fn best(&self) -> (Arrangement, bool) {
+        let trusted = cheapest(self.puzzle, &self.given(), Freedom::TRUSTED);
+        let free = || cheapest(self.puzzle, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
+        match self.options.names {
             Names::Trusted => (trusted, false),
-            Names::AnyOrder => (cheapest(self.puzzle, &named, Freedom::ANY_ORDER), true),
+            Names::AnyOrder => (free(), true),
             Names::Auto => {
-                let free = cheapest(self.puzzle, &named, Freedom::ANY_ORDER);
+                let free = free();
                 let renames = !self.puzzle.ties(&free, &trusted) || self.sky_is_elsewhere(&trusted);
                 if renames { (free, true) } else { (trusted, false) }
             }
-        };
-        let ties = self.ties(&best);
-        let (arrangement, convention) = self.simplest(&best, &ties, any_order);
-        let (excluded, margin) = self.alternatives(&arrangement);
-        let alike: usize = ties.iter().map(Vec::len).product();
-        let equivalents = if any_order { 48 * alike } else { alike };
-        Solution { arrangement, convention, excluded, margin, equivalents }
+        }
+    }
+
+    fn solution(
+        &self,
+        arrangement: Arrangement,
+        convention: Option<Convention>,
+        foreign: Option<Foreign>,
+        equivalents: usize,
+    ) -> Solution {
+        let (excluded, margin) = self.alternatives(&arrangement, foreign.map(|foreign| foreign.face));
+        Solution { arrangement, convention, excluded, margin, equivalents, foreign }
     }
 
     /// By face the layings that are as good as the best one's, itself first.
@@ -157,13 +214,15 @@ impl Question<'_> {
     }
 
     /// By face the number of other layings that are decisively worse, and the standard errors by which the best of
-    /// all those is worse.
-    fn alternatives(&self, found: &Arrangement) -> ([usize; 6], f64) {
+    /// all those is worse. The seams of a face that does not belong tell nothing, in whatever laying.
+    fn alternatives(&self, found: &Arrangement, foreign: Option<Face>) -> ([usize; 6], f64) {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
-        for face in Face::ALL {
-            for other in self.others(found, face) {
-                let comparison = self.puzzle.compare(found, &other);
+        let without = foreign.map(|face| found.images[face.index()]);
+        for face in Face::ALL.into_iter().filter(|&face| foreign != Some(face)) {
+            let others = if foreign.is_some() { relaid(found, face) } else { self.others(found, face) };
+            for other in others {
+                let comparison = self.puzzle.compare_without(found, &other, without);
                 if comparison.is_decisive() {
                     excluded[face.index()] += 1;
                     margin = margin.min(comparison.standard_errors());
@@ -180,6 +239,12 @@ impl Question<'_> {
         let fixed = |laying| Freedom { fixed: Some((face, laying)), ..Freedom::TRUSTED };
         (0..8).filter(|&laying| laying != own).map(|laying| cheapest(self.puzzle, &base, fixed(laying))).collect()
     }
+}
+
+/// The seven arrangements that lay one face otherwise and leave the others as they are.
+fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
+    let others = (0..8).filter(|&laying| laying != found.layings[face.index()]);
+    others.map(|laying| found.with_laying(face, laying)).collect()
 }
 
 /// The convention that an arrangement is.

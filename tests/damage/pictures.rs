@@ -1,4 +1,5 @@
 //! Maps in memory: read, scaled, re-compressed, damaged and checked.
+#![allow(dead_code)] // Every test uses a part of it.
 
 use std::path::{Path, PathBuf};
 
@@ -169,7 +170,6 @@ fn scaled(picture: &Picture, size: usize, factor: f32) -> Raster {
 }
 
 /// An 8-bit picture computed from column, row and size; display colours from 0 to 255.
-#[allow(dead_code)]
 pub fn computed(size: usize, colour: impl Fn(usize, usize) -> [f32; 3]) -> Picture {
     let bytes =
         (0..size * size).flat_map(|at| colour(at % size, at / size).map(|value| value.round().clamp(0.0, 255.0) as u8));
@@ -178,7 +178,6 @@ pub fn computed(size: usize, colour: impl Fn(usize, usize) -> [f32; 3]) -> Pictu
 }
 
 /// The display colours of a texel.
-#[allow(dead_code)]
 pub fn display(picture: &Picture, x: usize, y: usize) -> [f32; 3] {
     picture.texel(x, y).to_array().map(|value| 255.0 * encode_srgb(value))
 }

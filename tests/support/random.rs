@@ -1,4 +1,5 @@
 //! Numbers that look random and are the same everywhere.
+#![allow(dead_code)] // Every test uses a part of it.
 
 use skycube::math::DVec3;
 
@@ -31,7 +32,6 @@ impl Random {
     }
 
     /// One of `0..count`.
-    #[allow(dead_code)]
     pub fn below(&mut self, count: usize) -> usize {
         (self.unit() * count as f64) as usize
     }

@@ -1,0 +1,175 @@
+//! `skycube fix`: six corrected files for the given lookup, or the corrected lookup as code.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::Outcome;
+use super::check::ValidationOptions;
+use super::options::refuse_to_overwrite_sources;
+use crate::envmap::source::{Layout, Skybox};
+use crate::envmap::{ImageOperation, Laying};
+use crate::error::{Error, Result};
+use crate::picture::{check_target, write_atomically};
+use crate::report::{CodeLanguage, lookup_code};
+use crate::validate::{Check, FaceFix, Verdict};
+
+#[derive(Debug, Args)]
+pub struct FixArguments {
+    /// A folder, zip, cross or strip
+    map: PathBuf,
+    /// The folder to write the six corrected files to; made if it is missing
+    #[arg(short, long, value_name = "DIR", required_unless_present = "code")]
+    output: Option<PathBuf>,
+    /// Print the corrected lookup instead
+    #[arg(long, value_name = "LANGUAGE", conflicts_with = "output")]
+    code: Option<CodeLanguage>,
+    #[command(flatten)]
+    validation: ValidationOptions,
+}
+
+/// A corrected file before it is written.
+struct Corrected {
+    target: PathBuf,
+    bytes: Vec<u8>,
+    what: String,
+}
+
+/// Checks the map and mends it. Ends with faults if a face remains that does not belong.
+pub fn run(arguments: &FixArguments) -> Result<Outcome> {
+    let skybox = Skybox::open_lenient(&arguments.map)?;
+    let check = arguments.validation.check(&skybox)?;
+    if let Some(language) = arguments.code {
+        print!("{}", lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
+    } else if let Some(folder) = &arguments.output {
+        write_files(&skybox, &check, folder)?;
+    }
+    for note in check.notes.iter().take(check.foreign.len()) {
+        eprintln!("not mended: {note}");
+    }
+    if check.verdict == Verdict::Undecidable {
+        eprintln!("undecidable: the pixels do not tell whether these faces fit; nothing was changed");
+    }
+    Ok(if check.foreign.is_empty() { Outcome::Clean } else { Outcome::Faults })
+}
+
+fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
+    refuse_source_folder(skybox, folder)?;
+    let mut files = Vec::new();
+    for fix in &check.fix.faces {
+        files.push(corrected(skybox, check, fix, folder)?);
+    }
+    for file in &files {
+        refuse_to_overwrite_sources(&file.target, &skybox.files())?;
+        refuse_rivals(folder, &file.target)?;
+    }
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
+    // Everything that can be refused is refused before the first file is written.
+    for file in &files {
+        check_target(&file.target)?;
+    }
+    for file in &files {
+        write_atomically(&file.target, &file.bytes)?;
+        println!("wrote {}: {}", file.target.display(), file.what);
+    }
+    if let Some(convention) = check.fix.convention {
+        println!("{convention}");
+    }
+    Ok(())
+}
+
+/// The file that the given lookup shall read for a face.
+fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Result<Corrected> {
+    let slot = check.lookup.row(fix.face).image;
+    let image = skybox.image(fix.image);
+    let target = |extension: &str| folder.join(format!("{}.{extension}", slot.name()));
+    if fix.laying == Laying::IDENTITY
+        && let Some(bytes) = image.encoded_bytes()?
+    {
+        let what = format!("{} as it is", image.name());
+        return Ok(Corrected { target: target(image.header().format.extension()), bytes, what });
+    }
+    let picture = image.decode()?;
+    if picture.width() != picture.height() && fix.laying != Laying::IDENTITY {
+        return Err(Error::new(format!("{} x {} pixels cannot be turned", picture.width(), picture.height()))
+            .in_file(image.name())
+            .expected("a square picture"));
+    }
+    let operation = fix.laying.image_operation(check.lookup.v_origin());
+    let laid = picture.rearranged(|x, y| match operation {
+        ImageOperation::None => (x, y),
+        _ => operation.source(x, y, picture.width()),
+    });
+    let (bytes, extension) = laid.encode_lossless()?;
+    let alpha = if picture.header().alpha { ", without its alpha channel" } else { "" };
+    let what = match fix.laying {
+        Laying::IDENTITY => format!("{} cut out{alpha}", image.name()),
+        _ => format!("{}, {}{alpha}", image.name(), operation.name()),
+    };
+    Ok(Corrected { target: target(extension), bytes, what })
+}
+
+/// An error if the corrected files would lie among the sources.
+fn refuse_source_folder(skybox: &Skybox, folder: &Path) -> Result<()> {
+    let Ok(target) = folder.canonicalize() else { return Ok(()) };
+    let beside = |file: &PathBuf| file.canonicalize().is_ok_and(|file| file.parent() == Some(&target));
+    if skybox.layout == Layout::SixFiles && skybox.files().iter().any(beside) {
+        return Err(Error::new("the pictures of the map lie in this folder: it is not written to")
+            .in_file(folder)
+            .help("choose another folder with -o"));
+    }
+    Ok(())
+}
+
+/// An error if the folder holds the same face in another format: the result would be ambiguous.
+fn refuse_rivals(folder: &Path, target: &Path) -> Result<()> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Ok(()) };
+    for entry in entries.flatten() {
+        let path = entry.path();
+        if path.file_stem() == target.file_stem() && path != target {
+            return Err(Error::new(format!("{} would lie beside it", target.display()))
+                .in_file(path)
+                .help("choose an empty folder with -o"));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::envmap::Face;
+    use crate::picture;
+
+    #[test]
+    fn unchanged_faces_are_copied_and_others_laid() {
+        let folder = tempfile::tempdir().unwrap();
+        let compass = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass");
+        for face in Face::ALL {
+            let name = format!("{}.png", face.name());
+            std::fs::copy(compass.join(&name), folder.path().join(&name)).unwrap();
+        }
+        let broken = folder.path().join("posy.png");
+        let original = picture::read(&broken).unwrap();
+        let last = original.width() - 1;
+        let (bytes, _) = original.rearranged(|x, y| (y, last - x)).encode_lossless().unwrap();
+        std::fs::write(&broken, bytes).unwrap();
+        let output = folder.path().join("fixed");
+        let validation =
+            ValidationOptions { lookup: "opengl".to_owned(), world_up: None, trust_names: false, any_order: false };
+        let arguments =
+            FixArguments { map: folder.path().to_owned(), output: Some(output.clone()), code: None, validation };
+        assert_eq!(run(&arguments).unwrap(), Outcome::Clean);
+        for face in Face::ALL {
+            let name = format!("{}.png", face.name());
+            if face == Face::PosY {
+                assert_eq!(picture::read(&output.join(&name)).unwrap().texels(), original.texels());
+            } else {
+                assert_eq!(std::fs::read(output.join(&name)).unwrap(), std::fs::read(compass.join(&name)).unwrap());
+            }
+        }
+        let again = FixArguments { output: Some(folder.path().to_owned()), ..arguments };
+        assert!(run(&again).is_err(), "the folder of the sources is refused");
+    }
+}

@@ -1,0 +1,222 @@
+//! What is known of maps must be found: those of the project always, real ones where they are.
+
+mod common;
+#[path = "damage/pictures.rs"]
+mod pictures;
+
+use std::path::{Path, PathBuf};
+
+use skycube::envmap::source::Skybox;
+use skycube::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset, SignedAxis};
+use skycube::picture::Picture;
+use skycube::report::CheckReport;
+use skycube::validate::{Check, CheckOptions, Convention, ImageFacts, Names, Verdict, check, load};
+
+fn options(lookup: Preset, world_up: Option<SignedAxis>) -> CheckOptions {
+    CheckOptions { world_up, names: Names::Auto, lookup_name: lookup.name().to_owned() }
+}
+
+fn checked(path: &Path, lookup: Preset, world_up: Option<SignedAxis>) -> Check {
+    let skybox = Skybox::open(path).unwrap();
+    let map = load(&skybox, lookup.lookup()).unwrap();
+    check(&map, ImageFacts::of_skybox(&skybox), &options(lookup, world_up)).unwrap()
+}
+
+fn compass() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass")
+}
+
+/// The compass named for a z-up world, as `course` reads it.
+fn compass_for_z_up() -> [Picture; 6] {
+    let skybox = Skybox::open(&compass()).unwrap();
+    let images = skybox.images.clone().map(|image| image.decode().unwrap());
+    let read = Preset::HumusZUp.lookup();
+    Face::ALL.map(|face| images[read.row(face).image.index()].clone())
+}
+
+fn check_pictures(pictures: [Picture; 6], lookup: Lookup, options: &CheckOptions) -> Check {
+    let facts = Face::ALL.map(|face| {
+        let header = pictures[face.index()].header();
+        let file = format!("{}.png", face.name());
+        ImageFacts {
+            face,
+            file,
+            width: header.width,
+            height: header.height,
+            format: header.format,
+            alpha: header.alpha,
+        }
+    });
+    let map = CubeMap::new(pictures.map(LazyImage::ready), lookup, CubeFilter::Nearest);
+    check(&map, facts.to_vec(), options).unwrap()
+}
+
+/// The changes as one line: `posx u = 1-u; posz reads negz`.
+fn changes(check: &Check) -> String {
+    let mut changes = Vec::new();
+    for fix in check.fix.faces.iter().filter(|fix| !fix.is_unchanged(&check.lookup)) {
+        let (u, v) = fix.laying.formulas();
+        let image = if fix.image == fix.face { String::new() } else { format!(" reads {}", fix.image.name()) };
+        changes.push(format!("{}{image} ({u}, {v})", fix.face.name()));
+    }
+    changes.join("; ")
+}
+
+const EXERCISE_FIXES: &str = "posx (1-u, v); negy (1-u, v); posz (u, 1-v)";
+
+#[test]
+fn the_exercise_is_corrected_on_a_z_up_map() {
+    for world_up in [None, Some(SignedAxis::POS_Z)] {
+        let options = options(Preset::Exercise, world_up);
+        let check = check_pictures(compass_for_z_up(), Preset::Exercise.lookup(), &options);
+        assert_eq!((check.verdict, changes(&check).as_str()), (Verdict::Broken, EXERCISE_FIXES));
+        assert_eq!(check.fix.convention, Some(Convention::Course));
+        assert_eq!(check.fix.lookup(&check.lookup), Preset::Course.lookup());
+    }
+}
+
+#[test]
+fn the_exercise_is_corrected_on_a_download() {
+    let Some(map) = common::shared_map("Meadow.zip") else { return };
+    let check = checked(&map, Preset::Exercise, Some(SignedAxis::POS_Z));
+    assert_eq!(check.fix.lookup(&check.lookup), Preset::HumusZUp.lookup());
+    assert_eq!(check.fix.convention, Some(Convention::HumusZUp));
+    let layings = check.fix.faces.map(|fix| fix.laying.formulas());
+    let as_is = ("u", "v");
+    assert_eq!(layings, [("1-u", "v"), as_is, as_is, ("1-u", "v"), ("u", "1-v"), as_is]);
+}
+
+#[test]
+fn right_maps_fit() {
+    let compass = checked(&compass(), Preset::Opengl, None);
+    assert_eq!((compass.verdict, compass.fix.changes), (Verdict::Fits, 0));
+    for name in ["meadow", "Meadow.zip", "studio-garden", "layouts/storm-cross.jpg", "layouts/ryfjallet-strip.png"] {
+        let Some(map) = common::shared_map(name) else { continue };
+        let check = checked(&map, Preset::Opengl, None);
+        assert_eq!((check.verdict, check.fix.changes), (Verdict::Fits, 0), "{name}");
+        assert_eq!(check.mirrored, Face::ALL, "{name}");
+        let notes: Vec<String> = check.notes.iter().map(ToString::to_string).collect();
+        assert!(
+            notes.iter().any(|note| note.contains("a right-handed world sees all six faces mirrored")),
+            "{notes:?}"
+        );
+    }
+}
+
+#[test]
+fn conventions_are_named() {
+    use Convention::{BottomUp, OpenExr, Quake};
+    let known = [
+        ("city-upside-down", BottomUp),
+        ("miramar-quake", Quake),
+        ("clouds-dusk", Quake),
+        ("openexr/KernerEnvCube.exr", OpenExr),
+        ("openexr/OrientationCube.exr", OpenExr),
+    ];
+    for (name, convention) in known {
+        let Some(map) = common::shared_map(name) else { continue };
+        let check = checked(&map, Preset::Opengl, None);
+        assert_eq!((check.verdict, check.fix.convention), (Verdict::Broken, Some(convention)), "{name}");
+    }
+}
+
+#[test]
+fn flat_ground_is_undecided() {
+    let Some(map) = common::shared_map("miramar-quake") else { return };
+    let check = checked(&map, Preset::Opengl, None);
+    let decided = check.fix.faces.map(|fix| fix.decided);
+    assert_eq!(decided, [true, true, true, false, true, true]);
+    assert_eq!(check.fix.equivalents, 8);
+}
+
+#[test]
+fn the_report_on_a_right_map() {
+    let check = checked(&compass(), Preset::Opengl, None);
+    let report = CheckReport::new("compass".to_owned(), &check);
+    insta::assert_snapshot!("compass_text", report);
+    insta::assert_snapshot!("compass_json", report.to_json());
+}
+
+#[test]
+fn the_report_on_the_exercise() {
+    let options = options(Preset::Exercise, None);
+    let check = check_pictures(compass_for_z_up(), Preset::Exercise.lookup(), &options);
+    let report = CheckReport::new("compass".to_owned(), &check);
+    insta::assert_snapshot!("exercise_text", report);
+    insta::assert_snapshot!("exercise_json", report.to_json());
+}
+
+/// The compass with one fault.
+fn faulty(fault: impl Fn(&mut [Picture; 6])) -> Check {
+    let skybox = Skybox::open(&compass()).unwrap();
+    let mut pictures = skybox.images.clone().map(|image| image.decode().unwrap());
+    fault(&mut pictures);
+    check_pictures(pictures, Preset::Opengl.lookup(), &options(Preset::Opengl, None))
+}
+
+#[test]
+fn the_report_on_swapped_faces() {
+    let check = faulty(|pictures| pictures.swap(0, 4));
+    insta::assert_snapshot!("swapped_text", CheckReport::new("swapped".to_owned(), &check));
+}
+
+#[test]
+fn the_report_on_a_turned_face() {
+    let check = faulty(|pictures| pictures[2] = pictures::laid(&pictures[2], skycube::envmap::Laying::ALL[4]));
+    insta::assert_snapshot!("turned_text", CheckReport::new("turned".to_owned(), &check));
+}
+
+#[test]
+fn the_report_on_a_grey_face() {
+    let check = faulty(|pictures| pictures[3] = pictures::computed(pictures[3].width(), |_, _| [128.0; 3]));
+    insta::assert_snapshot!("grey_text", CheckReport::new("grey".to_owned(), &check));
+}
+
+#[test]
+fn the_report_on_a_copied_face() {
+    let check = faulty(|pictures| pictures[0] = pictures[4].clone());
+    insta::assert_snapshot!("copied_text", CheckReport::new("copied".to_owned(), &check));
+}
+
+/// The step across an edge measured with directions alone: just inside either face, through `CubeMap::sample`.
+fn sampled_step(map: &CubeMap, edge: skycube::validate::Edge, size: usize) -> f64 {
+    let free = 3 - edge.first.axis() - edge.second.axis();
+    let inside = 1.0 - 1.0 / size as f32;
+    let mut sum = 0.0;
+    for texel in 0..size {
+        let along = 2.0 * (texel as f32 + 0.5) / size as f32 - 1.0;
+        let colour = |face: Face, neighbour: Face| {
+            let mut direction = face.normal() + inside * neighbour.normal();
+            direction[free] = along;
+            map.sample(direction).to_array().map(|value| (255.0 * skycube::colour::encode_srgb(value)).round())
+        };
+        let (one, other) = (colour(edge.first, edge.second), colour(edge.second, edge.first));
+        sum += (0..3).map(|channel| f64::from((one[channel] - other[channel]).abs())).sum::<f64>() / 3.0;
+    }
+    sum / size as f64
+}
+
+#[test]
+fn steps_are_those_that_directions_see_before_and_after_the_fix() {
+    let skybox = Skybox::open(&compass()).unwrap();
+    let size = skybox.image(Face::PosX).header().width;
+    for lookup in [Preset::Exercise, Preset::HumusYUp, Preset::Opengl] {
+        let map = load(&skybox, lookup.lookup()).unwrap();
+        let check = check(&map, ImageFacts::of_skybox(&skybox), &options(lookup, None)).unwrap();
+        let mended = load(&skybox, check.fix.lookup(&check.lookup)).unwrap();
+        for (map, seams) in [(&map, &check.seams), (&mended, &check.fix.seams_after)] {
+            assert_eq!(seams.len(), 12);
+            for seam in seams {
+                let seen = sampled_step(map, seam.edge, size);
+                assert!(
+                    (seen - seam.step).abs() < 1e-6,
+                    "{} {}: {seen} {}",
+                    lookup.name(),
+                    seam.edge.name(),
+                    seam.step
+                );
+            }
+        }
+        assert!(check.fix.seams_after.iter().all(|seam| seam.score < 3.0), "{}", lookup.name());
+    }
+}
