@@ -80,9 +80,9 @@ fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<
     let check = arguments.validation.check(skybox)?;
     let report = CheckReport::new(map.display().to_string(), &check);
     if arguments.json {
-        println!("{}", report.to_json());
+        super::print(format_args!("{}\n", report.to_json()));
     } else {
-        print!("{report}");
+        super::print(&report);
     }
     Ok(outcome(check.verdict, arguments.strict))
 }
@@ -120,15 +120,17 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
     for map in maps {
         entries.push(check_one_of_several(map, arguments, &mut counts));
         if !arguments.json {
-            println!("{}", entries[entries.len() - 1]);
+            super::print(format_args!("{}\n", entries[entries.len() - 1]));
         }
     }
     let Counts { fits, broken, undecidable, failed } = counts;
     if arguments.json {
-        println!("[\n{}\n]", entries.join(",\n"));
+        super::print(format_args!("[\n{}\n]\n", entries.join(",\n")));
     } else {
         let count = maps.len();
-        println!("{count} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked");
+        super::print(format_args!(
+            "{count} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked\n"
+        ));
     }
     if failed > 0 {
         return Err(Error::new(format!("{failed} of {} maps could not be checked", maps.len())));

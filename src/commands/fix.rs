@@ -40,7 +40,7 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let check = arguments.validation.check(&skybox)?;
     if let Some(language) = arguments.code {
-        print!("{}", lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
+        super::print(lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
     } else if let Some(folder) = &arguments.output {
         write_files(&skybox, &check, folder)?;
     }
@@ -71,10 +71,10 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     }
     for file in &files {
         write_atomically(&file.target, &file.bytes)?;
-        println!("wrote {}: {}", file.target.display(), file.what);
+        super::print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
     }
     if let Some(convention) = check.fix.convention {
-        println!("{convention}");
+        super::print(format_args!("{convention}\n"));
     }
     Ok(())
 }

@@ -68,6 +68,12 @@ pub fn run() -> ExitCode {
     exit_code(result)
 }
 
+/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is no fault of ours.
+fn print(text: impl std::fmt::Display) {
+    use std::io::Write;
+    let _ = write!(std::io::stdout().lock(), "{text}");
+}
+
 fn exit_code(result: Result<Outcome>) -> ExitCode {
     match result {
         Ok(Outcome::Clean) => ExitCode::SUCCESS,

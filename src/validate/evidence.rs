@@ -3,7 +3,7 @@
 use super::arrangement::{Arrangement, Comparison, Puzzle};
 
 /// Standard errors by which an arrangement must be better.
-const STANDARD_ERRORS: f64 = 4.5;
+const STANDARD_ERRORS: f64 = 3.5;
 /// The part of the cost that it must save.
 const IMPROVEMENT: f64 = 0.12;
 /// Nearly nothing is left of the cost: fewer standard errors will do, as where only a few lines cross the borders.
