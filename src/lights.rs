@@ -91,7 +91,7 @@ fn from_point(position: DVec3, intensity: Vec3, falloff: Falloff, point: DVec3) 
         Falloff::InverseSquare => (1.0 / (distance * distance)) as f32,
         Falloff::Constant => 1.0,
     };
-    Some(Illumination { to_light: offset / distance, distance, irradiance: intensity * weight })
+    Some(Illumination { to_light: offset / distance, distance, irradiance: (intensity * weight).min(Vec3::MAX) })
 }
 
 #[cfg(test)]

@@ -61,7 +61,7 @@ fn missing_keys_are_named() {
 fn wrong_values_say_what_was_expected() {
     insta::assert_snapshot!(error("[materials.ball]\nkind = \"glass\"\nindex = \"high\"\n"), @r#"
     scene.toml:6: materials.ball.index: found "high"
-      expected: an index of refraction, more than 0
+      expected: an index of refraction, from 0.1 to 100
     "#);
     insta::assert_snapshot!(error("[materials.ball]\nkind = \"lambert\"\ncolour = [0.5, 2, 0]\n"), @r"
     scene.toml:6: materials.ball.colour: a surface cannot reflect more light than arrives

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glam::{DVec3, Vec3};
-use skycube::integrators::{RayCounts, radiance};
+use skycube::integrators::{RayCounts, media_around, radiance};
 use skycube::math::Ray;
 use skycube::picture;
 use skycube::render::{Rendering, Silent, render};
@@ -23,7 +23,9 @@ fn rendering(scene: &Scene) -> Rendering {
 
 fn along(scene: &Scene, origin: DVec3, direction: DVec3) -> Vec3 {
     let ray = Ray::new(origin, direction.normalize());
-    radiance(scene, &Plan::new(scene), &ray, &mut PixelSampler::new(0, 0, 0), &mut RayCounts::default())
+    let plan = Plan::new(scene);
+    let media = media_around(scene, &plan, origin);
+    radiance(scene, &plan, &ray, &media, &mut PixelSampler::new(0, 0, 0), &mut RayCounts::default())
 }
 
 /// A sequence of numbers in `[0, 1)` without pattern.
@@ -134,6 +136,40 @@ fn a_glass_in_a_glass_of_the_same_index_is_invisible() {
     )));
     let worst = difference(&plain, &nested);
     assert!(worst < 1e-6, "{worst}");
+}
+
+#[test]
+fn a_camera_inside_of_glass_knows_what_it_is_in() {
+    // Index 1.0 throughout, so only absorption is seen: e^-way in the green channel, by the way through each glass.
+    let scene = scene(
+        "environment = { kind = \"constant\", radiance = 1 }\nintegrator.weight_cutoff = 0\n\
+         materials.outer = { kind = \"glass\", index = 1.0, absorption = [0, 1, 0] }\n\
+         materials.inner = { kind = \"glass\", index = 1.0, absorption = [0, 0, 1] }\n\
+         [[shapes]]\nkind = \"box\"\nminimum = [-3, -3, -3]\nmaximum = [3, 3, 3]\nmaterial = \"outer\"\n\
+         [[shapes]]\nkind = \"sphere\"\nradius = 0.5\nmaterial = \"inner\"\n",
+    );
+    let expect = |origin: DVec3, green: f64, blue: f64| {
+        let found = along(&scene, origin, DVec3::Y);
+        let expected = Vec3::new(1.0, (-green).exp() as f32, (-blue).exp() as f32);
+        assert!((found - expected).abs().max_element() < 1e-6, "from {origin}: {found} {expected}");
+    };
+    // From the middle of the ball; from the box in front of it; from outside of both; past the ball.
+    expect(DVec3::ZERO, 2.5, 0.5);
+    expect(DVec3::new(0.0, -2.0, 0.0), 4.0, 1.0);
+    expect(DVec3::new(0.0, -5.0, 0.0), 5.0, 1.0);
+    expect(DVec3::new(1.0, 0.0, 0.0), 3.0, 0.0);
+}
+
+#[test]
+fn overlapping_glasses_absorb_as_one_where_they_are_of_one_kind() {
+    let scene = scene(
+        "environment = { kind = \"constant\", radiance = 1 }\nintegrator.weight_cutoff = 0\n\
+         materials.glass = { kind = \"glass\", index = 1.0, absorption = [0, 1, 0] }\n\
+         [[shapes]]\nkind = \"box\"\nminimum = [-1, 0, -1]\nmaximum = [1, 1.2, 1]\nmaterial = \"glass\"\n\
+         [[shapes]]\nkind = \"box\"\nminimum = [-1, 1, -1]\nmaximum = [1, 2, 1]\nmaterial = \"glass\"\n",
+    );
+    let found = along(&scene, DVec3::new(0.1, -3.0, 0.2), DVec3::Y);
+    assert!((found.y - (-2.0_f32).exp()).abs() < 1e-6, "{found}");
 }
 
 fn difference(one: &Rendering, other: &Rendering) -> f32 {

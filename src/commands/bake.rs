@@ -1,14 +1,17 @@
 //! `skycube bake`: the surroundings of a point as the six images of a cube map.
 
 use std::path::PathBuf;
+use std::time::Instant;
 
 use clap::Args;
 
 use super::Outcome;
 use super::interrupt;
-use super::options::{PictureOptions, SceneOverrides, read_lookup, refuse_to_overwrite_sources};
+use super::options::{
+    PictureOptions, SceneOverrides, check_pixel_count, read_lookup, refuse_folder_of, refuse_to_overwrite_sources,
+};
 use super::progress_bar::RenderBar;
-use crate::envmap::Face;
+use crate::envmap::{Face, Lookup};
 use crate::error::{Error, Result};
 use crate::math::DVec3;
 use crate::picture::{self, OutputFormat};
@@ -42,34 +45,57 @@ pub struct BakeArguments {
 
 /// Bakes, writes, and says where.
 pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
-    interrupt::watch();
     let scene = arguments.overrides.read_scene(&arguments.scene)?;
     let plan = Plan::new(&scene);
     let lookup = read_lookup(&arguments.lookup)?;
     let position = arguments.position.unwrap_or(scene.camera.position());
     let options = arguments.picture.write_options(scene.output.tone_map);
-    std::fs::create_dir_all(&arguments.output)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(&arguments.output))?;
     let targets = Face::ALL.map(|image| arguments.output.join(format!("{}.{}", image.name(), arguments.format)));
+    refuse_shared_images(&lookup)?;
+    refuse_folder_of(&arguments.output, &scene.sources)?;
     for target in &targets {
         OutputFormat::of_path(target)?;
         refuse_to_overwrite_sources(target, &scene.sources)?;
     }
     let pool = arguments.overrides.thread_pool()?;
     let size = arguments.face_size as usize;
+    check_pixel_count([6 * size, size])?;
+    interrupt::watch();
     let bar = RenderBar::new(6 * (size * size) as u64, "baking");
-    let mut rasters = Vec::new();
+    let started = Instant::now();
+    let (mut rasters, mut rays) = (Vec::new(), 0);
     for face in Face::ALL {
         let rendering = pool.install(|| bake_face(&scene, &plan, &lookup, face, size, position, &bar));
-        rasters.push((lookup.row(face).image, rendering?.raster));
+        let rendering = rendering.inspect_err(|_| bar.finish())?;
+        rays += rendering.counts.traced();
+        rasters.push((lookup.row(face).image, rendering.raster));
     }
     bar.finish();
+    let seconds = started.elapsed().as_secs_f64();
     // All six are there before the first is written.
+    std::fs::create_dir_all(&arguments.output)
+        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(&arguments.output))?;
+    rasters.sort_by_key(|(image, _)| *image);
     for (image, raster) in &rasters {
         picture::write(raster, &targets[image.index()], &options)?;
         println!("wrote {}", targets[image.index()].display());
     }
+    println!(
+        "six images of {size} x {size} texels for the lookup {}, seen from ({}, {}, {}): {seconds:.2} s, {rays} rays",
+        arguments.lookup, position.x, position.y, position.z
+    );
     Ok(Outcome::Clean)
+}
+
+/// Two faces that read one image cannot both be baked into it.
+fn refuse_shared_images(lookup: &Lookup) -> Result<()> {
+    for (index, row) in lookup.rows().iter().enumerate() {
+        if lookup.rows()[..index].iter().any(|other| other.image == row.image) {
+            let problem = format!("two faces of the lookup read {}: it cannot hold both", row.image.name());
+            return Err(Error::new(problem).expected("a lookup whose faces read six different images"));
+        }
+    }
+    Ok(())
 }
 
 fn parse_point(text: &str) -> std::result::Result<DVec3, String> {

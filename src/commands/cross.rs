@@ -1,12 +1,12 @@
 //! `skycube cross`: the cube unfolded, as the lookup shows it.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
 use super::Outcome;
 use super::map_options::{OpenMap, ViewOptions};
-use super::options::refuse_to_overwrite_sources;
+use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::{Error, Result};
@@ -40,6 +40,7 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
         return Err(Error::new("a drawing is written as PNG").in_file(&arguments.output).expected("a name with .png"));
     }
     refuse_to_overwrite_sources(&arguments.output, &map.sources)?;
+    refuse_source_folder(&map.skybox, arguments.output.parent().unwrap_or(Path::new("")))?;
     check_target(&arguments.output)?;
     let (cube_map, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
     let heading = format!("{} through {}", map.name, map.lookup_name);

@@ -6,8 +6,8 @@ use clap::Args;
 
 use super::Outcome;
 use super::check::ValidationOptions;
-use super::options::refuse_to_overwrite_sources;
-use crate::envmap::source::{Layout, Skybox};
+use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
+use crate::envmap::source::Skybox;
 use crate::envmap::{ImageOperation, Laying};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, write_atomically};
@@ -108,18 +108,6 @@ fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Re
         _ => format!("{}, {}{alpha}", image.name(), operation.name()),
     };
     Ok(Corrected { target: target(extension), bytes, what })
-}
-
-/// An error if the corrected files would lie among the sources.
-fn refuse_source_folder(skybox: &Skybox, folder: &Path) -> Result<()> {
-    let Ok(target) = folder.canonicalize() else { return Ok(()) };
-    let beside = |file: &PathBuf| file.canonicalize().is_ok_and(|file| file.parent() == Some(&target));
-    if skybox.layout == Layout::SixFiles && skybox.files().iter().any(beside) {
-        return Err(Error::new("the pictures of the map lie in this folder: it is not written to")
-            .in_file(folder)
-            .help("choose another folder with -o"));
-    }
-    Ok(())
 }
 
 /// An error if the folder holds the same face in another format: the result would be ambiguous.

@@ -10,7 +10,12 @@ static INSTALL: Once = Once::new();
 pub fn watch() {
     INSTALL.call_once(|| {
         // Without a handler Ctrl-C ends the process at once, which breaks no file either: files are renamed into place.
-        let _ = ctrlc::set_handler(|| REQUESTED.store(true, Ordering::Relaxed));
+        let _ = ctrlc::set_handler(|| {
+            // Asked a second time, do not wait for the work in hand.
+            if REQUESTED.swap(true, Ordering::Relaxed) {
+                std::process::exit(130);
+            }
+        });
     });
 }
 

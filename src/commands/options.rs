@@ -6,6 +6,7 @@ use std::str::FromStr;
 use clap::Args;
 
 use crate::colour::ToneMap;
+use crate::envmap::source::{Layout, Skybox};
 use crate::envmap::{Lookup, Preset};
 use crate::error::{Error, Result};
 use crate::picture::{PngDepth, WriteOptions};
@@ -14,9 +15,6 @@ use crate::scene::{IntegratorKind, Scene};
 /// What the command line may say instead of the scene file.
 #[derive(Debug, Args)]
 pub struct SceneOverrides {
-    /// Picture size in pixels, such as 640x480
-    #[arg(long, value_name = "WxH")]
-    pub size: Option<PictureSize>,
     /// Samples a pixel
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub samples: Option<u32>,
@@ -24,7 +22,7 @@ pub struct SceneOverrides {
     #[arg(long, value_enum)]
     pub integrator: Option<IntegratorKind>,
     /// Reflections and refractions followed at most
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=1000))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(0..=1000))]
     pub depth: Option<u32>,
     /// Another map in place of the environment's own: a folder, a zip or a picture
     #[arg(long, value_name = "MAP")]
@@ -38,9 +36,6 @@ impl SceneOverrides {
     /// Reads the scene and applies the overrides.
     pub fn read_scene(&self, file: &Path) -> Result<Scene> {
         let mut scene = Scene::read_with_environment(file, self.environment.clone())?;
-        if let Some(PictureSize(size)) = self.size {
-            scene.camera = scene.camera.resized(size);
-        }
         scene.samples = self.samples.unwrap_or(scene.samples);
         scene.integrator.kind = self.integrator.unwrap_or(scene.integrator.kind);
         scene.integrator.depth = self.depth.unwrap_or(scene.integrator.depth);
@@ -91,7 +86,9 @@ impl FromStr for PictureSize {
     fn from_str(text: &str) -> std::result::Result<Self, Self::Err> {
         let side = |digits: &str| digits.parse().ok().filter(|side| (1..=65_536).contains(side));
         let sides = text.split_once(['x', 'X']).and_then(|(width, height)| Some([side(width)?, side(height)?]));
-        sides.map(Self).ok_or_else(|| "expected width x height in pixels, such as 640x480".to_owned())
+        sides
+            .map(Self)
+            .ok_or_else(|| "expected width x height in pixels, such as 640x480, each from 1 to 65536".to_owned())
     }
 }
 
@@ -121,6 +118,38 @@ pub fn refuse_to_overwrite_sources(target: &Path, sources: &[PathBuf]) -> Result
         return Err(Error::new("this file is read by the same command: it is not overwritten")
             .in_file(target)
             .help("choose another file with -o"));
+    }
+    Ok(())
+}
+
+/// An error if files written to the folder would lie among the pictures of the map, and make them ambiguous.
+pub fn refuse_source_folder(skybox: &Skybox, folder: &Path) -> Result<()> {
+    if skybox.layout != Layout::SixFiles {
+        return Ok(());
+    }
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    refuse_folder_of(folder, &skybox.files())
+}
+
+/// The most pixels a picture may have: what is computed is held in memory as floats.
+const MOST_PIXELS: usize = 1 << 28;
+
+/// An error if a picture would not fit into sensible memory.
+pub fn check_pixel_count([width, height]: [usize; 2]) -> Result<()> {
+    if width.saturating_mul(height) <= MOST_PIXELS {
+        return Ok(());
+    }
+    Err(Error::new(format!("{width} x {height} pixels are too many")).expected(format!("at most {MOST_PIXELS} pixels")))
+}
+
+/// An error if files written to the folder would lie among those that something is read from.
+pub fn refuse_folder_of(folder: &Path, sources: &[PathBuf]) -> Result<()> {
+    let Ok(target) = folder.canonicalize() else { return Ok(()) };
+    let inside = |file: &PathBuf| file.canonicalize().is_ok_and(|file| file.parent() == Some(&target));
+    if sources.iter().any(inside) {
+        return Err(Error::new("files that are read lie in this folder: it is not written to")
+            .in_file(folder)
+            .help("choose another folder with -o"));
     }
     Ok(())
 }

@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::Outcome;
 use super::interrupt;
-use super::options::{PictureOptions, SceneOverrides, refuse_to_overwrite_sources};
+use super::options::{PictureOptions, PictureSize, SceneOverrides, check_pixel_count, refuse_to_overwrite_sources};
 use super::progress_bar::RenderBar;
 use crate::error::Result;
 use crate::picture::{self, OutputFormat, check_target};
@@ -22,6 +22,9 @@ pub struct RenderArguments {
     /// The picture to write: .png, .jpg, .hdr or .exr [default: the scene's name with .png, in this folder]
     #[arg(short, long, value_name = "PICTURE")]
     output: Option<PathBuf>,
+    /// Picture size in pixels, such as 640x480
+    #[arg(long, value_name = "WxH")]
+    size: Option<PictureSize>,
     #[command(flatten)]
     overrides: SceneOverrides,
     #[command(flatten)]
@@ -33,9 +36,12 @@ pub struct RenderArguments {
 
 /// Renders, writes, and says what was done.
 pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
-    interrupt::watch();
     let started = Instant::now();
-    let scene = arguments.overrides.read_scene(&arguments.scene)?;
+    let mut scene = arguments.overrides.read_scene(&arguments.scene)?;
+    if let Some(PictureSize(size)) = arguments.size {
+        scene.camera = scene.camera.resized(size);
+    }
+    check_pixel_count(scene.camera.size())?;
     let plan = Plan::new(&scene);
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.scene));
     // Everything that can be refused is refused before the work.
@@ -45,6 +51,7 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let loaded = started.elapsed();
 
     let [width, height] = scene.camera.size();
+    interrupt::watch();
     let bar = RenderBar::new((width * height) as u64, "rendering");
     let rendering = arguments.overrides.thread_pool()?.install(|| render(&scene, &plan, &bar));
     bar.finish();

@@ -78,9 +78,11 @@ pub(super) fn local_radiance(
         }
         let departure = Departure { surface: surface.id, side: view.side };
         let to_light = Ray { origin: surface.position, direction: arriving.to_light, departure: Some(departure) };
-        counts.shadow += 1;
-        if scene.shapes.occluded(&to_light, arriving.distance) {
-            continue;
+        if plan.shadow_rays {
+            counts.shadow += 1;
+            if scene.shapes.occluded(&to_light, arriving.distance) {
+                continue;
+            }
         }
         let mut reflectance = diffuse / PI;
         if let Some((specular, exponent)) = highlight {

@@ -24,11 +24,12 @@ pub(super) fn radiance(
     scene: &Scene,
     plan: &Plan,
     ray: &Ray,
+    media: &MediumStack,
     sampler: &mut PixelSampler,
     counts: &mut RayCounts,
 ) -> Vec3 {
     let mut tracer = Tracer { scene, plan, sampler, counts };
-    tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media: MediumStack::default() })
+    tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media: *media })
 }
 
 /// A ray on its way, with what it carries.
@@ -66,16 +67,17 @@ impl Tracer<'_> {
         let Some(hit) = scene.shapes.intersect(&path.ray) else {
             self.counts.environment += 1;
             // An unbounded way through absorbing glass lets nothing through.
-            return self.transmittance(path, f64::INFINITY) * scene.environment.radiance(path.ray.direction);
+            return self.transmittance(path.media.innermost(), f64::INFINITY)
+                * scene.environment.radiance(path.ray.direction);
         };
         let surface = scene.shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
-        let transmittance = self.transmittance(path, hit.t);
+        let transmittance = self.transmittance(medium_before(path, &surface, &view), hit.t);
         let radiance = match &scene.materials[surface.material as usize] {
-            Material::Mirror { colour } => {
+            Material::Mirror { colour } if self.plan.reflection => {
                 self.reflected(path, &surface, &view, colour.at(surface.texture_coordinates), transmittance)
             }
-            Material::Glass { index, .. } => self.refracted(path, &surface, &view, *index, transmittance),
+            Material::Glass { .. } if self.plan.refraction => self.refracted(path, &surface, &view, transmittance),
             _ => local_radiance(scene, self.plan, &path.ray, &surface, &view, self.counts),
         };
         transmittance * radiance
@@ -93,24 +95,20 @@ impl Tracer<'_> {
     }
 
     /// What a glass shows: reflection and refraction.
-    fn refracted(&mut self, path: &Path, surface: &Surface, view: &View, index: f64, transmittance: Vec3) -> Vec3 {
+    fn refracted(&mut self, path: &Path, surface: &Surface, view: &View, transmittance: Vec3) -> Vec3 {
         let medium = Medium { shape: surface.id.shape, material: surface.material };
         let beyond = match view.side {
             Side::Front => path.media.entering(medium),
             Side::Back => path.media.leaving(medium.shape),
         };
-        // Inside a glass that was never entered (the camera stands in it) the index is that of the glass itself.
-        let from = match (view.side, path.media.innermost()) {
-            (Side::Back, None) => index,
-            (_, innermost) => self.index_inside(innermost),
-        };
+        let from = self.index_inside(medium_before(path, surface, view));
         let relative_index = from / self.index_inside(beyond.innermost());
         let direction = path.ray.direction;
         let cos_incident = -direction.dot(view.shading_normal);
         let boundary = boundary(cos_incident, relative_index);
         let reflectance = Vec3::splat(boundary.reflectance as f32);
         let mut radiance = Vec3::ZERO;
-        if boundary.reflectance > 0.0 {
+        if self.plan.reflection && boundary.reflectance > 0.0 {
             radiance += self.reflected(path, surface, view, reflectance, transmittance);
         }
         if let Some(cos_transmitted) = boundary.cos_transmitted {
@@ -161,12 +159,12 @@ impl Tracer<'_> {
         self.glass_of(medium).map_or(1.0, |(index, _)| index)
     }
 
-    /// Share of the light that is left after a way through the innermost glass.
-    fn transmittance(&self, path: &Path, distance: f64) -> Vec3 {
+    /// Share of the light that is left after a way through a glass.
+    fn transmittance(&self, medium: Option<Medium>, distance: f64) -> Vec3 {
         if !self.plan.absorption {
             return Vec3::ONE;
         }
-        let Some((_, absorption)) = self.glass_of(path.media.innermost()) else { return Vec3::ONE };
+        let Some((_, absorption)) = self.glass_of(medium) else { return Vec3::ONE };
         absorption.to_array().map(|coefficient| beer_lambert(coefficient, distance)).into()
     }
 
@@ -177,6 +175,14 @@ impl Tracer<'_> {
             _ => None,
         }
     }
+}
+
+/// The glass a path came through to a surface. A glass whose inside is met without having been entered (its surface
+/// coincides with another's, where rounding decides what is met first) is what the path came through.
+fn medium_before(path: &Path, surface: &Surface, view: &View) -> Option<Medium> {
+    let met = Medium { shape: surface.id.shape, material: surface.material };
+    let unknown = view.side == Side::Back && !path.media.contains(met.shape);
+    if unknown { Some(met) } else { path.media.innermost() }
 }
 
 /// `e^(-coefficient * distance)`; no absorption is none over any distance.

@@ -39,7 +39,7 @@ pub fn boundary(cos_incident: f64, relative_index: f64) -> Boundary {
         return Boundary { reflectance: 0.0, cos_transmitted: Some(cos_incident) };
     }
     let cos_squared = cos_incident * cos_incident * r * r + (1.0 - r) * (1.0 + r);
-    if cos_squared <= 0.0 {
+    if cos_squared <= 0.0 || cos_squared.is_nan() {
         return Boundary { reflectance: 1.0, cos_transmitted: None };
     }
     let cos_transmitted = cos_squared.sqrt();

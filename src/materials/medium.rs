@@ -25,6 +25,12 @@ impl MediumStack {
         self.depth.checked_sub(1).map(|last| self.media[usize::from(last)])
     }
 
+    /// True if the ray is inside of the shape.
+    #[inline]
+    pub fn contains(&self, shape: u32) -> bool {
+        self.media[..usize::from(self.depth)].iter().any(|entered| entered.shape == shape)
+    }
+
     /// The stack after entering a glass.
     #[inline]
     pub fn entering(mut self, medium: Medium) -> Self {

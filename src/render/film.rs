@@ -5,7 +5,8 @@ use rayon::prelude::*;
 use super::progress::Progress;
 use crate::envmap::{Face, Lookup};
 use crate::error::{Error, Result};
-use crate::integrators::{RayCounts, radiance};
+use crate::integrators::{RayCounts, media_around, radiance};
+use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::picture::Raster;
 use crate::sampling::PixelSampler;
@@ -22,6 +23,12 @@ pub struct Rendering {
     pub counts: RayCounts,
 }
 
+/// Where a picture is taken from, and its width and height in pixels.
+struct View {
+    position: DVec3,
+    size: [usize; 2],
+}
+
 /// A part of the picture.
 struct Tile {
     x: usize,
@@ -36,7 +43,8 @@ struct Tile {
 /// An error tells that a picture of the environment could not be decoded, or that the rendering was cancelled.
 pub fn render(scene: &Scene, plan: &Plan, progress: &impl Progress) -> Result<Rendering> {
     let camera = &scene.camera;
-    render_rays(scene, plan, camera.size(), |x, y| camera.ray(x, y), progress)
+    let view = View { position: camera.position(), size: camera.size() };
+    render_rays(scene, plan, view, |x, y| camera.ray(x, y), progress)
 }
 
 /// Renders the image that `lookup` reads for a face, seen from a point: each texel looks along its own direction.
@@ -54,25 +62,31 @@ pub fn bake_face(
         let direction = lookup.image_direction(face, x / size as f64, y / size as f64);
         Ray::new(position, direction.normalize())
     };
-    render_rays(scene, plan, [size, size], ray, progress)
+    render_rays(scene, plan, View { position, size: [size, size] }, ray, progress)
 }
 
 /// Renders a picture whose places in pixels, from the top left corner, look along given rays.
 fn render_rays(
     scene: &Scene,
     plan: &Plan,
-    [width, height]: [usize; 2],
+    view: View,
     ray_through: impl Fn(f64, f64) -> Ray + Sync,
     progress: &impl Progress,
 ) -> Result<Rendering> {
+    let [width, height] = view.size;
+    let media = media_around(scene, plan, view.position);
     let tiles = tiles(width, height);
     let finished: Vec<(Vec<Vec3>, RayCounts)> = tiles
         .par_iter()
         .map(|tile| {
             if progress.cancelled() {
-                return Err(Error::new("cancelled: nothing was written"));
+                return Err(cancelled());
             }
-            let (pixels, counts) = render_tile(scene, plan, tile, &ray_through);
+            let pixel = |x, y, counts: &mut RayCounts| render_pixel(scene, plan, [x, y], &media, &ray_through, counts);
+            let (pixels, counts) = render_tile(tile, pixel, progress);
+            if progress.cancelled() {
+                return Err(cancelled());
+            }
             if let Some(error) = scene.environment.error() {
                 return Err(error.clone());
             }
@@ -92,22 +106,29 @@ fn render_rays(
     Ok(Rendering { raster, counts })
 }
 
+fn cancelled() -> Error {
+    Error::new("cancelled: nothing was written")
+}
+
 fn tiles(width: usize, height: usize) -> Vec<Tile> {
     let corners = (0..height).step_by(TILE).flat_map(|y| (0..width).step_by(TILE).map(move |x| (x, y)));
     corners.map(|(x, y)| Tile { x, y, width: TILE.min(width - x), height: TILE.min(height - y) }).collect()
 }
 
 fn render_tile(
-    scene: &Scene,
-    plan: &Plan,
     tile: &Tile,
-    ray_through: &impl Fn(f64, f64) -> Ray,
+    pixel: impl Fn(usize, usize, &mut RayCounts) -> Vec3,
+    progress: &impl Progress,
 ) -> (Vec<Vec3>, RayCounts) {
     let mut counts = RayCounts::default();
     let mut pixels = Vec::with_capacity(tile.width * tile.height);
     for y in tile.y..tile.y + tile.height {
         for x in tile.x..tile.x + tile.width {
-            pixels.push(render_pixel(scene, plan, [x, y], ray_through, &mut counts));
+            // With many samples a pixel takes long: a cancelled tile is not finished, nobody will see it.
+            if progress.cancelled() {
+                return (pixels, counts);
+            }
+            pixels.push(pixel(x, y, &mut counts));
         }
     }
     (pixels, counts)
@@ -118,6 +139,7 @@ fn render_pixel(
     scene: &Scene,
     plan: &Plan,
     [x, y]: [usize; 2],
+    media: &MediumStack,
     ray_through: &impl Fn(f64, f64) -> Ray,
     counts: &mut RayCounts,
 ) -> Vec3 {
@@ -126,7 +148,7 @@ fn render_pixel(
         let mut sampler = PixelSampler::new(x, y, index);
         let [across, down] = sampler.place(scene.samples);
         let ray = ray_through(x as f64 + across, y as f64 + down);
-        sum += radiance(scene, plan, &ray, &mut sampler, counts).as_dvec3();
+        sum += radiance(scene, plan, &ray, media, &mut sampler, counts).as_dvec3();
     }
     (sum / f64::from(scene.samples)).as_vec3()
 }

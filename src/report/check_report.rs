@@ -209,6 +209,7 @@ impl fmt::Display for CheckReport<'_> {
         writeln!(formatter, "{}: {} under the lookup {lookup_name}", self.map, verdict.name())?;
         if let Some(convention) = fix.convention {
             writeln!(formatter, "  {convention}")?;
+            writeln!(formatter, "  or the same face by face:")?;
         }
         for face in self.changed() {
             self.write_change(face, formatter)?;

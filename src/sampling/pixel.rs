@@ -13,7 +13,9 @@ impl PixelSampler {
     /// Sample number `index` of the pixel in column `x` and row `y`.
     #[inline]
     pub fn new(x: usize, y: usize, index: u32) -> Self {
-        Self { seed: hash(x as u32 ^ hash(y as u32)), index, dimension: 0 }
+        // The crate has 2^16 points; each further block of as many gets a scramble of its own.
+        let (block, index) = (index >> 16, index & 0xffff);
+        Self { seed: hash(x as u32 ^ hash(y as u32 ^ hash(block))), index, dimension: 0 }
     }
 
     /// The next coordinate of the sample, uniform in `[0, 1)`.

@@ -14,7 +14,7 @@ pub(super) fn read(mut table: Table) -> Result<(Camera, u32)> {
     let target = table.required("target")?.vector()?;
     let up = table.optional("up").map_or(Ok(DVec3::Z), |up| up.vector())?;
     let field_of_view = match table.optional("field_of_view") {
-        Some(angle) => angle.number_where("degrees, more than 0 and less than 180", |a| a > 0.0 && a < 180.0)?,
+        Some(angle) => angle.number_where("degrees, from 0.001 to 179.999", |a| (0.001..=179.999).contains(&a))?,
         None => 45.0,
     };
     let size = match table.optional("size") {

@@ -33,7 +33,8 @@ pub struct Value<'a> {
 #[derive(Clone)]
 struct Place<'a> {
     document: &'a Document,
-    line: usize,
+    /// In bytes from the start of the text; made a line only where somebody complains.
+    offset: usize,
     /// Dotted; empty for the whole document.
     key: String,
 }
@@ -63,7 +64,7 @@ impl Document {
 
     /// The whole document as a table.
     pub fn root<'a>(&'a self, parsed: &'a Spanned<DeTable<'a>>) -> Table<'a> {
-        Table::new(Place { document: self, line: 1, key: String::new() }, parsed.get_ref())
+        Table::new(Place { document: self, offset: 0, key: String::new() }, parsed.get_ref())
     }
 
     /// The folder that relative paths start from.
@@ -78,13 +79,13 @@ impl Document {
 
 impl<'a> Place<'a> {
     fn error(&self, problem: impl Into<String>) -> Error {
-        let error = Error::new(problem).in_file(&self.document.file).at_line(self.line);
+        let error = Error::new(problem).in_file(&self.document.file).at_line(self.document.line(self.offset));
         if self.key.is_empty() { error } else { error.at_key(&self.key) }
     }
 
     fn below(&self, key: &str, offset: usize) -> Self {
         let key = if self.key.is_empty() { key.to_owned() } else { format!("{}.{key}", self.key) };
-        Self { document: self.document, line: self.document.line(offset), key }
+        Self { document: self.document, offset, key }
     }
 }
 
@@ -108,7 +109,19 @@ impl<'a> Table<'a> {
 
     /// Takes a key that must be there.
     pub fn required(&mut self, key: &'static str) -> Result<Value<'a>> {
-        self.optional(key).ok_or_else(|| self.error(format!("the key \"{key}\" is missing")))
+        self.optional(key).ok_or_else(|| self.misspelt(key).unwrap_or_else(|| self.missing(key)))
+    }
+
+    fn missing(&self, key: &str) -> Error {
+        self.error(format!("the key \"{key}\" is missing"))
+    }
+
+    /// An error that names the key somebody probably meant by a misspelt one: at most two letters differ.
+    fn misspelt(&self, key: &str) -> Option<Error> {
+        let distance = |found: &str| strsim::damerau_levenshtein(found, key);
+        let (found, (offset, _)) = self.entries.iter().min_by_key(|(found, _)| distance(found))?;
+        let close = distance(found) <= 2 && !self.taken.contains(found);
+        close.then(|| self.place.below(found, *offset).error("unknown key").help(format!("did you mean \"{key}\"?")))
     }
 
     /// Takes all keys that are left, whatever their names.
@@ -179,7 +192,7 @@ impl<'a> Value<'a> {
         let entry = |(index, value): (usize, &'a Spanned<DeValue<'a>>)| Value {
             place: Place {
                 key: format!("{}[{index}]", self.place.key),
-                line: self.place.document.line(value.span().start),
+                offset: value.span().start,
                 document: self.place.document,
             },
             value: value.get_ref(),

@@ -36,6 +36,11 @@ pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Resul
         ("equirectangular", Kind::Equirectangular),
         ("cube-map", Kind::CubeMap),
     ])?;
+    if map_override.is_some() && matches!(kind, Kind::Constant | Kind::Gradient) {
+        return Err(table
+            .error("this environment has no map that could be replaced")
+            .expected("kind = \"cube-map\" or kind = \"equirectangular\""));
+    }
     let kind = match kind {
         Kind::Constant => EnvironmentKind::Constant(table.required("radiance")?.colour()?),
         Kind::Gradient => EnvironmentKind::Gradient(read_gradient(&mut table)?),
@@ -59,7 +64,7 @@ pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Resul
         }
     };
     let scale = match table.optional("scale") {
-        Some(value) => value.number_where("a number of at least 0", |number| number >= 0.0)? as f32,
+        Some(value) => value.number_where("a number from 0 to 1e30", |number| (0.0..=1e30).contains(&number))? as f32,
         None => 1.0,
     };
     table.finish()?;
@@ -79,7 +84,7 @@ fn read_equirectangular(table: &mut Table, map_override: Option<PathBuf>) -> Res
     // The header is read now, so that a wrong name is an error even if no ray sees the map.
     picture::read_file_header(&path).map_err(|error| image.error(error.to_string()))?;
     let decoded_later = path.clone();
-    let turns = table.optional("rotate").map_or(Ok(0.0), |value| value.number())? / 360.0;
+    let turns = table.optional("rotate").map_or(Ok(0.0), |value| value.number())?.rem_euclid(360.0) / 360.0;
     let image = LazyImage::new(Box::new(move || picture::read(&decoded_later)));
     Ok((Equirectangular { image, up: read_up(table)?, turns: turns as f32 }, path))
 }

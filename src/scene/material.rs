@@ -61,7 +61,7 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
             diffuse: reflectance(&table.required("diffuse")?, textures)?,
             specular: table.optional("specular").map_or(Ok(Vec3::ZERO), |value| uniform_reflectance(&value))?,
             exponent: table.optional("exponent").map_or(Ok(32.0), |value| {
-                value.number_where("a number of at least 0", |number| (0.0..=1e6).contains(&number))
+                value.number_where("a number from 0 to 1000000", |number| (0.0..=1e6).contains(&number))
             })? as f32,
         },
         Kind::Mirror => Material::Mirror {
@@ -71,7 +71,7 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
         },
         Kind::Glass => Material::Glass {
             index: table.optional("index").map_or(Ok(1.5), |value| {
-                value.number_where("an index of refraction, more than 0", |number| number > 0.0)
+                value.number_where("an index of refraction, from 0.1 to 100", |number| (0.1..=100.0).contains(&number))
             })?,
             absorption: table.optional("absorption").map_or(Ok(Vec3::ZERO), |value| value.colour())?,
         },

@@ -34,14 +34,18 @@ impl Plan {
     pub fn new(scene: &Scene) -> Self {
         let integrator = scene.integrator.kind;
         let traces = integrator == IntegratorKind::Whitted && scene.integrator.depth > 0;
-        let any = |property: fn(&Material) -> bool| scene.materials.iter().any(property);
+        // Materials count only where a shape shows them.
+        let numbers = || scene.shapes.primitives().iter().flat_map(|primitive| primitive.material.numbers());
+        let any =
+            |property: fn(&Material) -> bool| numbers().any(|&number| property(&scene.materials[number as usize]));
+        let shadowing = scene.shapes.primitives().iter().any(|primitive| primitive.casts_shadow);
         let shades = integrator != IntegratorKind::Normals && any(Material::lit_by_sources);
         let refraction = traces && any(Material::transmits);
         let reflection = traces && any(Material::reflects_specularly);
         Self {
             integrator,
             direct_light: shades && !scene.lights.is_empty(),
-            shadow_rays: shades && scene.lights.iter().any(Light::casts_shadows),
+            shadow_rays: shades && shadowing && scene.lights.iter().any(Light::casts_shadows),
             reflection,
             refraction,
             absorption: refraction && any(Material::absorbs),
@@ -65,8 +69,8 @@ impl Plan {
         if !normals {
             let reason = if scene.lights.is_empty() { "no lights" } else { "nothing that lights shade" };
             item(!self.direct_light, &format!("{reason}: no direct light, no shadow rays"));
-            item(self.direct_light && !self.shadow_rays, "ambient light only: no shadow rays");
-            let local = self.integrator == IntegratorKind::Phong;
+            item(self.direct_light && !self.shadow_rays, "nothing that could be shadowed: no shadow rays");
+            let local = self.integrator == IntegratorKind::Phong || scene.integrator.depth == 0;
             item(local, "local light only: no reflected or refracted rays");
             item(!local && !self.reflection, "no mirror and no glass: no reflected rays");
             item(!local && self.reflection && !self.refraction, "no glass: no refracted rays, no media");

@@ -131,7 +131,7 @@ impl<'a> ShapeReader<'a> {
         let specular = described.specular.unwrap_or(Vec3::ZERO);
         match described.illumination {
             Some(4 | 6 | 7 | 9) => {
-                let index = described.index_of_refraction.map_or(1.5, f64::from);
+                let index = described.index_of_refraction.map_or(1.5, |index| f64::from(index).clamp(0.1, 100.0));
                 return Ok(Material::Glass { index, absorption: Vec3::ZERO });
             }
             Some(3 | 5 | 8) => {

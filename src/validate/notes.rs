@@ -195,15 +195,15 @@ impl fmt::Display for Note {
             }
             Self::Rough { seams, step } => write!(
                 formatter,
-                "{seams} of 12 seams are rough (mean step {step:.1} of 255), but the geometry fits: faces were exposed, framed or compressed one by one, or the ground is coarse"
+                "{seams} of 12 seams are rough (mean step {step:.1} of 255), but the geometry fits: faces were exposed, framed or compressed one by one, the ground is coarse, or an edge of the scene lies along the seam"
             ),
             Self::Mirrored { faces, after, changes } => {
-                if *changes {
+                if *changes && faces != after {
                     let before = if faces.is_empty() { "none" } else { &names(faces) };
                     let after = if after.is_empty() { "none" } else { &names(after) };
                     write!(
                         formatter,
-                        "from the table alone: mirrored in a right-handed world are {before} now, {after} after the fix"
+                        "from the table alone: mirrored in a right-handed world are {before} now, {after} after the fix if the pictures are as photographed (if they had been flipped, it stays as it is: seams cannot tell)"
                     )
                 } else {
                     write!(formatter, "from the table alone: a right-handed world sees {} mirrored", names(faces))
