@@ -75,6 +75,48 @@ fn what_cannot_run_exits_with_2_and_writes_nothing() {
 }
 
 #[test]
+fn a_map_for_a_scene_that_shows_none_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let without = LESSON.replace("environment-with.toml", "environment-without.toml");
+    let output = skycube(folder.path(), &["render", &without, "--environment", "nowhere.zip"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("no map that could be replaced"), "{}", text(&output.stderr));
+    assert_eq!(files(folder.path()), [""; 0]);
+}
+
+#[test]
+fn two_faces_cannot_be_baked_into_one_image() {
+    let folder = tempfile::tempdir().unwrap();
+    let table = "v_origin = \"bottom\"\nposx = { u = \"-y\", v = \"+z\" }\nnegx = { u = \"+y\", v = \"+z\", image = \"posx\" }\n\
+                 posy = { u = \"+x\", v = \"+z\" }\nnegy = { u = \"-x\", v = \"+z\" }\nposz = { u = \"+x\", v = \"-y\" }\n\
+                 negz = { u = \"+x\", v = \"+y\" }\n";
+    std::fs::write(folder.path().join("double.toml"), table).unwrap();
+    let output =
+        skycube(folder.path(), &["bake", LESSON, "-o", "faces", "--lookup", "double.toml", "--face-size", "4"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("two faces of the lookup read posx"), "{}", text(&output.stderr));
+    assert_eq!(files(folder.path()), ["double.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_rendering_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut child = Command::new(env!("CARGO_BIN_EXE_skycube"))
+        .args(["render", LESSON, "--samples", "65536", "-o", "picture.png"])
+        .current_dir(folder.path())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    std::thread::sleep(std::time::Duration::from_millis(700));
+    assert!(child.try_wait().unwrap().is_none(), "it should take minutes");
+    assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+    assert_eq!(files(folder.path()), [""; 0]);
+}
+
+#[test]
 fn no_source_is_overwritten() {
     let folder = tempfile::tempdir().unwrap();
     let lesson = Path::new(LESSON).parent().unwrap();

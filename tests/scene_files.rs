@@ -52,6 +52,14 @@ fn unknown_keys_are_refused_with_the_known_ones() {
 }
 
 #[test]
+fn misspelt_keys_are_named() {
+    insta::assert_snapshot!(error("[materials.ball]\nkind = \"lambert\"\ncolor = 0.5\n"), @r#"
+    scene.toml:6: materials.ball.color: unknown key
+      help: did you mean "colour"?
+    "#);
+}
+
+#[test]
 fn missing_keys_are_named() {
     insta::assert_snapshot!(error("[[shapes]]\nkind = \"sphere\"\n"), @r#"scene.toml:4: shapes[0]: the key "material" is missing"#);
     insta::assert_snapshot!(Scene::from_text("", Path::new("scene.toml")).unwrap_err(), @r#"scene.toml:1: the key "camera" is missing"#);

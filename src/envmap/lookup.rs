@@ -131,17 +131,31 @@ impl Lookup {
     /// two infinities or zeros.
     #[inline]
     pub fn locate(&self, direction: Vec3) -> FacePoint {
+        self.locate_on(Self::face_towards(direction), direction)
+    }
+
+    /// The face that a direction meets.
+    #[inline(always)]
+    pub(super) fn face_towards(direction: Vec3) -> Face {
         let Vec3 { x, y, z } = direction;
         let (along_x, along_y, along_z) = (x.abs(), y.abs(), z.abs());
         // Neighbouring rays mostly meet the same face: branches that are predicted right cost less than a table.
-        let (face, largest) = if along_x >= along_y && along_x >= along_z {
-            (if x > 0.0 { Face::PosX } else { Face::NegX }, along_x)
+        if along_x >= along_y && along_x >= along_z {
+            if x > 0.0 { Face::PosX } else { Face::NegX }
         } else if along_y >= along_z {
-            (if y > 0.0 { Face::PosY } else { Face::NegY }, along_y)
+            if y > 0.0 { Face::PosY } else { Face::NegY }
+        } else if z > 0.0 {
+            Face::PosZ
         } else {
-            (if z > 0.0 { Face::PosZ } else { Face::NegZ }, along_z)
-        };
+            Face::NegZ
+        }
+    }
+
+    /// Where the direction meets a face, which must be the one it points to.
+    #[inline(always)]
+    pub(super) fn locate_on(&self, face: Face, direction: Vec3) -> FacePoint {
         let components = signed_components(direction);
+        let largest = components[face.axis()].abs();
         let row = &self.faces[face.index()];
         let u = components[row.u.code()] / largest;
         let v = components[row.v.code()] / largest;
