@@ -1,10 +1,12 @@
 //! From the cheapest arrangement to the fix: of all that are equally good the one with the fewest and simplest changes.
 
 use super::arrangement::{Arrangement, Puzzle};
-use super::border::Borders;
+use super::border::{Borders, ImageBorders};
 use super::convention::{self, Convention};
-use super::foreign::{self, Foreign};
+use super::edge::EdgeBorders;
+use super::foreign::{self, Foreign, Reason};
 use super::handedness::mirrored_faces;
+use super::pair_cost::PairCosts;
 use super::search::{Freedom, cheapest};
 use super::symmetry::Symmetry;
 use super::{CheckOptions, Names};
@@ -86,7 +88,18 @@ impl Question<'_> {
     }
 
     fn foreign(&self, arrangement: &Arrangement) -> Result<Option<(Foreign, Arrangement)>> {
-        foreign::find(self.map, self.puzzle, self.images, arrangement)
+        let found = foreign::find(self.map, self.puzzle, self.images, arrangement)?;
+        let Some((stranger, _)) = &found else { return Ok(None) };
+        if stranger.reason != Reason::AnotherScene {
+            return Ok(found);
+        }
+        // A frame that was seen around some of the images only would make them strangers to the others: the finding
+        // must hold one row further inside all six.
+        let within = self.images.clone().map(|image| ImageBorders { framed: true, ..image });
+        let puzzle = Puzzle { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
+        let again = foreign::find(self.map, &puzzle, &within, arrangement)?;
+        let confirmed = again.is_some_and(|(other, _)| other.face == stranger.face);
+        Ok(found.filter(|_| confirmed))
     }
 
     /// The cheapest arrangement, and whether images changed places for it.
