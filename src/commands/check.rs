@@ -5,12 +5,13 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::Outcome;
+use super::map_options::check_skybox;
 use super::options::read_lookup;
 use crate::envmap::SignedAxis;
 use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
 use crate::report::{CheckReport, failed_check_json};
-use crate::validate::{Check, CheckOptions, ImageFacts, Names, Verdict, check, load};
+use crate::validate::{Check, CheckOptions, Names, Verdict};
 
 /// How a map is to be looked at; shared by all commands that check one.
 #[derive(Debug, Args)]
@@ -41,8 +42,7 @@ impl ValidationOptions {
 
     /// Opens and checks a map.
     pub fn check(&self, skybox: &Skybox) -> Result<Check> {
-        let map = load(skybox, read_lookup(&self.lookup)?)?;
-        check(&map, ImageFacts::of_skybox(skybox), &self.check_options())
+        Ok(check_skybox(skybox, read_lookup(&self.lookup)?, &self.check_options())?.1)
     }
 }
 

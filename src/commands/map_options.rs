@@ -70,9 +70,8 @@ impl OpenMap {
     /// The map under its lookup, all images decoded on all cores, and what the validator says of it. `world_up` is the
     /// axis that the user named.
     pub fn checked(&self, filter: CubeFilter, world_up: Option<SignedAxis>) -> Result<(CubeMap, Check)> {
-        let map = load(&self.skybox, self.lookup)?;
         let options = CheckOptions { world_up, lookup_name: self.lookup_name.clone(), ..CheckOptions::default() };
-        let check = check(&map, ImageFacts::of_skybox(&self.skybox), &options)?;
+        let (map, check) = check_skybox(&self.skybox, self.lookup, &options)?;
         Ok((map.with_filter(filter), check))
     }
 
@@ -81,6 +80,13 @@ impl OpenMap {
         let image = lookup.row(face).image;
         format!("{} ({})", image.name(), self.skybox.image(image).name())
     }
+}
+
+/// A skybox under a lookup, all images decoded on all cores, and what the validator says of it.
+pub fn check_skybox(skybox: &Skybox, lookup: Lookup, options: &CheckOptions) -> Result<(CubeMap, Check)> {
+    let map = load(skybox, lookup)?;
+    let check = check(&map, ImageFacts::of_skybox(skybox), options)?;
+    Ok((map, check))
 }
 
 impl ViewOptions {

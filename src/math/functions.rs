@@ -13,11 +13,6 @@ pub fn cos(angle: f64) -> f64 {
     libm::cos(angle)
 }
 
-/// Tangent of an angle in radians.
-pub fn tan(angle: f64) -> f64 {
-    libm::tan(angle)
-}
-
 /// Arc cosine in radians, `[0, pi]`; the argument is clamped to `[-1, 1]` first.
 pub fn arccos(cosine: f64) -> f64 {
     libm::acos(cosine.clamp(-1.0, 1.0))
