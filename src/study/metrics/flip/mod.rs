@@ -49,11 +49,8 @@ fn seen(picture: &Raster) -> (Vec<Vec3>, features::Features) {
         Plane::new(picture.width(), picture.height(), opponents.iter().map(|colour| colour[channel]).collect())
     };
     let planes = [plane(0), plane(1), plane(2)];
-    let lightness = Plane::new(
-        picture.width(),
-        picture.height(),
-        planes[0].values().iter().map(|y| (y + 16.0) / 116.0).collect(),
-    );
+    let lightness =
+        Plane::new(picture.width(), picture.height(), planes[0].values().iter().map(|y| (y + 16.0) / 116.0).collect());
     let features = features::Features::of_lightness(&lightness);
     let [y, x, z] = contrast_sensitivity::resolved(&planes);
     let colour = |index: usize| {
