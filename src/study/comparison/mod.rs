@@ -72,7 +72,7 @@ pub enum Verdict {
 }
 
 impl Comparison {
-    /// Compares a picture with the expected one. An error if either has no pixels cannot happen: files have some.
+    /// Compares a picture with the expected one. Panics if either has no pixels, which no file has.
     pub fn of(mine: &Picture, expected: &Picture) -> Self {
         let (mine_raster, unknown) = search::finite(&mine.to_raster());
         let (expected_raster, _) = search::finite(&expected.to_raster());

@@ -9,20 +9,21 @@ fn compass(face: &str) -> Raster {
     crate::picture::read(&path).unwrap().to_raster()
 }
 
-/// Values of NVIDIA's flip-evaluator 1.7 (from PyPI; LDR, 67.02 pixels a degree) on the same files: the mean, and the
-/// pixels (10, 10), (50, 100) and (220, 200), as column and row.
+/// Values of NVIDIA's flip-evaluator 1.7 (from PyPI; LDR, 67.02 pixels a degree) on the same files: the mean of its map in
+/// double precision (it adds up in single, and is 5e-4 off), and the pixels (10, 10), (50, 100) and (220, 200), as column
+/// and row.
 #[test]
 fn agrees_with_the_implementation_of_its_authors() {
     for (picture, reference, mean, pixels) in [
-        ("posx", "negy", 0.730_167_45, [0.959_703_2, 0.646_494_57, 0.984_235_47]),
-        ("posx", "posy", 0.875_258_74, [0.957_564_1, 0.958_675, 0.137_887_51]),
-        ("posz", "negz", 0.907_207_55, [0.953_596_7, 0.968_257_07, 0.984_324_26]),
+        ("posx", "negy", 0.730_019_03, [0.959_703_2, 0.646_494_57, 0.984_235_47]),
+        ("posx", "posy", 0.875_772_95, [0.957_564_1, 0.958_675, 0.137_887_51]),
+        ("posz", "negz", 0.908_013_22, [0.953_596_7, 0.968_257_07, 0.984_324_26]),
     ] {
         let map = flip_map(&compass(picture), &compass(reference));
-        assert!((map.mean() - mean).abs() < 2e-4, "{picture} {reference}: {} against {mean}", map.mean());
+        assert!((map.mean() - mean).abs() < 2e-5, "{picture} {reference}: {} against {mean}", map.mean());
         for ((x, y), expected) in [(10, 10), (50, 100), (220, 200)].into_iter().zip(pixels) {
             let value = map.at(x, y);
-            assert!((value - expected).abs() < 5e-3, "{picture} {reference} ({x}, {y}): {value} against {expected}");
+            assert!((value - expected).abs() < 2e-5, "{picture} {reference} ({x}, {y}): {value} against {expected}");
         }
     }
 }
