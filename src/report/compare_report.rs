@@ -15,7 +15,7 @@
 
 use std::fmt;
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::compare_sentences::{figures, kind, sentence};
 use crate::picture::Header;
@@ -105,7 +105,7 @@ impl CompareReport<'_> {
             findings: findings.iter().map(described).collect(),
             metrics: Both {
                 before: measures(&before.metrics),
-                after: after.as_ref().map_or(Value::Null, |view| measures(&view.metrics)),
+                after: after.as_ref().map(|view| measures(&view.metrics)),
             },
             worst_region: region(worst),
         };
@@ -182,7 +182,7 @@ fn in_digits(value: f64) -> String {
 struct Json {
     verdict: Verdict,
     metric: &'static str,
-    value: Value,
+    value: Option<f64>,
     threshold: f64,
     mine: JsonPicture,
     expected: JsonPicture,
@@ -210,8 +210,16 @@ struct JsonFinding {
 
 #[derive(serde::Serialize)]
 struct Both {
-    before: Value,
-    after: Value,
+    before: JsonMetrics,
+    after: Option<JsonMetrics>,
+}
+
+#[derive(serde::Serialize)]
+struct JsonMetrics {
+    rmse: Option<f64>,
+    psnr: Option<f64>,
+    ssim: Option<f64>,
+    flip: Option<f64>,
 }
 
 #[derive(serde::Serialize)]
@@ -240,14 +248,14 @@ fn region(region: &Region) -> JsonRegion {
     JsonRegion { x, y, width, height, flip, flip_outside, share }
 }
 
-fn measures(metrics: &Metrics) -> Value {
+fn measures(metrics: &Metrics) -> JsonMetrics {
     let Metrics { rmse, psnr, ssim, flip } = *metrics;
-    json!({ "rmse": number(rmse, 5), "psnr": number(psnr, 2), "ssim": number(ssim, 5), "flip": number(flip, 5) })
+    JsonMetrics { rmse: number(rmse, 5), psnr: number(psnr, 2), ssim: number(ssim, 5), flip: number(flip, 5) }
 }
 
 /// A number for JSON, null if it is not finite.
-fn number(value: f64, digits: i32) -> Value {
-    if value.is_finite() { json!(rounded(value, digits)) } else { Value::Null }
+fn number(value: f64, digits: i32) -> Option<f64> {
+    value.is_finite().then(|| rounded(value, digits))
 }
 
 pub(super) fn rounded(value: f64, digits: i32) -> f64 {
