@@ -70,11 +70,11 @@ fn noisy(raster: &Raster, deviation: f32) -> Raster {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (state >> 40) as f32 / (1u64 << 24) as f32
     };
-    let pixels = raster.pixels().iter().map(|&colour| {
-        let mut gaussian = || (0..12).map(|_| uniform()).sum::<f32>() - 6.0;
-        channels(colour, |channel| decoded((encode_srgb(channel) + deviation * gaussian()).clamp(0.0, 1.0)))
-    });
-    Raster::from_pixels(raster.width(), raster.height(), pixels.collect())
+    let mut gaussian = move || (0..12).map(|_| uniform()).sum::<f32>() - 6.0;
+    let mut noisy = |channel: f32| decoded((encode_srgb(channel) + deviation * gaussian()).clamp(0.0, 1.0));
+    let pixels: Vec<Vec3> =
+        raster.pixels().iter().map(|colour| Vec3::new(noisy(colour.x), noisy(colour.y), noisy(colour.z))).collect();
+    Raster::from_pixels(raster.width(), raster.height(), pixels)
 }
 
 fn no_gamma(raster: &Raster) -> Raster {

@@ -87,7 +87,9 @@ impl Comparison {
         let explained =
             findings.iter().any(|finding| matches!(finding, Finding::Flat { .. } | Finding::Unrelated { .. }));
         if !explained {
-            findings.extend(search::rest(view, &undoing, worst));
+            let pixels = |raster: &Raster| raster.pixels().len();
+            let enlarged = pixels(&mine_raster) < pixels(&expected_raster);
+            findings.extend(search::rest(view, &undoing, worst, enlarged));
         }
         Self { mine: mine.header(), expected: expected.header(), findings, before, after, worst }
     }

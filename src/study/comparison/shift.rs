@@ -30,7 +30,9 @@ pub(super) fn estimated(mine: &Plane, expected: &Plane, start: [f64; 2]) -> Opti
 
 fn snapped(shift: f64) -> f64 {
     let half = (2.0 * shift).round() / 2.0;
-    if (shift - half).abs() <= SNAP { half } else { (shift * 10.0).round() / 10.0 }
+    let snapped = if (shift - half).abs() <= SNAP { half } else { (shift * 10.0).round() / 10.0 };
+    // No negative zero.
+    snapped + 0.0
 }
 
 /// Steps towards the shift of least squared difference. None if the picture has no detail to hold on to.
