@@ -211,6 +211,7 @@ fn a_changed_region_is_framed() {
     }
     let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));
     assert_eq!(names(&comparison), ["region"]);
+    assert_eq!(comparison.verdict(true), Verdict::Differs);
     let worst = comparison.worst;
     assert!(worst.x <= 60 && worst.x + worst.width >= 90 && worst.width < 60, "{worst:?}");
     assert!(worst.y <= 40 && worst.y + worst.height >= 64 && worst.height < 54, "{worst:?}");

@@ -13,7 +13,7 @@ use crate::study::comparison::{Comparison, Verdict};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 within the threshold, 1 not (or flipped, turned, red and blue swapped, not \
-                        finite, or another picture altogether), 2 could not run.")]
+                        finite, plainly other in one place, or altogether), 2 could not run.")]
 pub struct CompareArguments {
     /// Your picture
     #[arg(value_name = "MINE")]

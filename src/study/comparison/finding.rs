@@ -43,9 +43,16 @@ pub enum Finding {
     Everywhere,
 }
 
+/// Mean FLIP in a region that is plainly other.
+const PLAIN: f64 = 0.3;
+
 impl Finding {
-    /// True for what makes it another picture, however small the difference in numbers.
+    /// True for what makes it another picture, however small the difference in numbers: a missing ball is a small part
+    /// of the mean.
     pub fn is_fault(&self) -> bool {
+        if let Finding::Region { region } = self {
+            return region.flip >= PLAIN;
+        }
         matches!(
             self,
             Finding::NotFinite { .. }

@@ -80,8 +80,9 @@ impl Comparison {
         findings.extend(search::size_finding(&mine_raster, &expected_raster));
         let (undoing, found) = search::undoing(&mine_raster, &expected_raster, mine.header().alpha);
         findings.extend(found);
-        let before = View::of(&Undoing::NOTHING, &mine_raster, &expected_raster);
-        let after = (undoing != Undoing::NOTHING).then(|| View::of(&undoing, &mine_raster, &expected_raster));
+        let view = |undoing: &Undoing| View::of(undoing, &mine_raster, &expected_raster);
+        let (before, after) =
+            rayon::join(|| view(&Undoing::NOTHING), || (undoing != Undoing::NOTHING).then(|| view(&undoing)));
         let view = after.as_ref().unwrap_or(&before);
         let worst = view.worst_region();
         let explained =

@@ -80,10 +80,16 @@ impl Undoing {
 }
 
 impl Aligned {
-    /// The mean difference on display, in codes of 255.
+    /// The mean difference on display, in codes of 255; of large pictures, that of every few pixels.
     pub fn difference(&self) -> f64 {
-        let pixels = self.mine.pixels().iter().zip(self.expected.pixels());
-        let sum: f64 = pixels.map(|(&a, &b)| f64::from((display(a) - display(b)).abs().element_sum())).sum();
-        255.0 * sum / (3 * self.mine.pixels().len()).max(1) as f64
+        // An odd stride that no usual width is a multiple of.
+        let stride = if self.mine.pixels().len() > 200_000 { 7 } else { 1 };
+        let pixels = self.mine.pixels().iter().zip(self.expected.pixels()).step_by(stride);
+        let (mut sum, mut count) = (0.0, 0usize);
+        for (&a, &b) in pixels {
+            sum += f64::from((display(a) - display(b)).abs().element_sum());
+            count += 3;
+        }
+        255.0 * sum / count.max(1) as f64
     }
 }
