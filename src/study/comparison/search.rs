@@ -145,7 +145,8 @@ fn finding(part: Part, undoing: &Undoing, evidence: Evidence) -> Finding {
     }
 }
 
-/// What is to be said of the difference that is left. `enlarged`: mine had fewer pixels, and lacks their detail.
+/// What is to be said of the difference that is left. `enlarged`: mine had fewer pixels, and lacks their
+/// detail. What interpolation took away looks like noise, so noise is not named then.
 pub(super) fn rest(view: &View, undoing: &Undoing, worst: Region, enlarged: bool) -> Vec<Finding> {
     let aligned = Aligned { mine: view.mine.clone(), expected: view.expected.clone(), corner: view.corner };
     let mut findings = Vec::new();
@@ -156,7 +157,8 @@ pub(super) fn rest(view: &View, undoing: &Undoing, worst: Region, enlarged: bool
     // Undone, white is grey where it was cut off: that explains a difference in one place.
     let cut_shows = share >= 0.002 && undoing.tone.undone(Vec3::ONE).min_element() < 0.99;
     let residue = Residue::of(&aligned);
-    if cut_shows || (enlarged && residue.is_noise()) {
+    let interpolated = enlarged || undoing.shift.is_some_and(|shift| shift.iter().any(|along| along.fract() != 0.0));
+    if cut_shows || (interpolated && residue.is_noise()) {
         return findings;
     }
     if residue.is_notable_noise() {
