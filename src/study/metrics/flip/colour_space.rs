@@ -5,7 +5,7 @@ use crate::math::functions::cube_root;
 
 /// CIE XYZ of the Rec. 709 primaries with white at (0.3127, 0.3290); rows X, Y, Z.
 const XYZ_OF_LINEAR: [Vec3; 3] = [
-    Vec3::new(0.412_390_8, 0.357_584_33, 0.180_480_79),
+    Vec3::new(0.412_390_8, 0.357_584_33, 0.180_480_8),
     Vec3::new(0.212_639, 0.715_168_65, 0.072_192_32),
     Vec3::new(0.019_330_818, 0.119_194_78, 0.950_532_14),
 ];
