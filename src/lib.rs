@@ -26,6 +26,8 @@ pub mod integrators;
 
 pub mod render;
 
+pub mod study;
+
 pub mod validate;
 
 pub mod report;

@@ -2,6 +2,7 @@
 
 mod bake;
 mod check;
+mod compare;
 mod cross;
 mod fix;
 mod interrupt;
@@ -44,6 +45,8 @@ enum Command {
     Bake(bake::BakeArguments),
     /// Check whether the six pictures of a skybox fit together
     Check(check::CheckArguments),
+    /// Compare a picture with the expected one, and name what it does differently
+    Compare(compare::CompareArguments),
     /// Draw a map unfolded, as the lookup shows it, with its seams
     Cross(cross::CrossArguments),
     /// Follow the lookup of one direction step by step
@@ -60,6 +63,7 @@ pub fn run() -> ExitCode {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
+        Command::Compare(arguments) => compare::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),

@@ -38,6 +38,31 @@ pub fn logarithm(value: f32) -> f32 {
     libm::logf(value)
 }
 
+/// Natural logarithm, in double precision.
+pub fn logarithm_f64(value: f64) -> f64 {
+    libm::log(value)
+}
+
+/// `e` raised to `exponent`, in double precision.
+pub fn exponential_f64(exponent: f64) -> f64 {
+    libm::exp(exponent)
+}
+
+/// Logarithm to the base 2.
+pub fn binary_logarithm(value: f64) -> f64 {
+    libm::log2(value)
+}
+
+/// Logarithm to the base 10.
+pub fn decimal_logarithm(value: f64) -> f64 {
+    libm::log10(value)
+}
+
+/// The real cube root.
+pub fn cube_root(value: f32) -> f32 {
+    libm::cbrtf(value)
+}
+
 /// The nearest value in `[low, high]`; NaN gives `low`.
 ///
 /// Compiles to one instruction a side, which `f32::max` and `f32::min` do not, since they treat NaN otherwise.

@@ -3,6 +3,10 @@
 mod canvas;
 mod check_report;
 mod code;
+mod colour_map;
+mod compare_drawing;
+mod compare_report;
+mod compare_sentences;
 mod compass;
 mod compass_marks;
 mod contact_sheet;
@@ -18,6 +22,8 @@ mod text_drawing;
 
 pub use check_report::{CheckReport, failed_check_json};
 pub use code::{CodeLanguage, lookup_code};
+pub use compare_drawing::draw_comparison;
+pub use compare_report::{CompareReport, Metric};
 pub use compass::draw_compass_face;
 pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
 pub use cross_drawing::{CrossInput, draw_cross};

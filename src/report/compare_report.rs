@@ -1,0 +1,264 @@
+//! The report of `skycube compare`, as text and as JSON.
+//!
+//! The JSON has these keys, in this order; numbers are rounded to the digits that are stable:
+//!
+//! ```text
+//! verdict:      identical | matches | differs
+//! metric, value, threshold                                   what the verdict went by
+//! mine:         { width, height, format, bit_depth, alpha }
+//! expected:     { the same }
+//! findings:     [ { kind, sentence, and the figures of that kind } ]
+//! metrics:      { before: { rmse, psnr, ssim, flip },        psnr is null for equal pictures
+//!                 after:  { the same } or null }             null if nothing was undone
+//! worst_region: { x, y, width, height, flip, flip_outside, share }
+//! ```
+
+use std::fmt;
+
+use serde_json::Value;
+
+use super::compare_sentences::{figures, kind, sentence};
+use crate::picture::Header;
+use crate::study::comparison::{Comparison, Finding, Region, Verdict};
+use crate::study::metrics::Metrics;
+
+/// The measure that decides.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum Metric {
+    /// Mean FLIP, what an eye sees when the pictures alternate: 0 for equal pictures, 1 at most
+    #[default]
+    Flip,
+    /// Root mean square error of the linear radiance: 0 for equal pictures
+    Rmse,
+    /// Peak signal to noise ratio in decibels: the higher the better
+    Psnr,
+    /// Structural similarity: 1 for equal pictures
+    Ssim,
+}
+
+impl Metric {
+    pub fn name(self) -> &'static str {
+        match self {
+            Metric::Flip => "flip",
+            Metric::Rmse => "rmse",
+            Metric::Psnr => "psnr",
+            Metric::Ssim => "ssim",
+        }
+    }
+
+    /// The value of this measure.
+    pub fn of(self, metrics: &Metrics) -> f64 {
+        match self {
+            Metric::Flip => metrics.flip,
+            Metric::Rmse => metrics.rmse,
+            Metric::Psnr => metrics.psnr,
+            Metric::Ssim => metrics.ssim,
+        }
+    }
+
+    /// The threshold if none is given: another rendering of a scene with few samples passes, another scene does not.
+    pub fn default_threshold(self) -> f64 {
+        match self {
+            Metric::Flip => 0.05,
+            Metric::Rmse => 0.05,
+            Metric::Psnr => 28.0,
+            Metric::Ssim => 0.85,
+        }
+    }
+
+    /// True if the value is good enough.
+    pub fn is_within(self, value: f64, threshold: f64) -> bool {
+        match self {
+            Metric::Flip | Metric::Rmse => value <= threshold,
+            Metric::Psnr | Metric::Ssim => value >= threshold,
+        }
+    }
+}
+
+/// A comparison, to be printed.
+pub struct CompareReport<'a> {
+    pub comparison: &'a Comparison,
+    pub metric: Metric,
+    pub threshold: f64,
+}
+
+impl CompareReport<'_> {
+    /// What it comes to. The measure is taken of the pictures as they are.
+    pub fn verdict(&self) -> Verdict {
+        self.comparison.verdict(self.metric.is_within(self.value(), self.threshold))
+    }
+
+    fn value(&self) -> f64 {
+        self.metric.of(&self.comparison.before.metrics)
+    }
+
+    /// The report for machines.
+    pub fn to_json(&self) -> String {
+        let Comparison { mine, expected, findings, before, after, worst } = self.comparison;
+        let report = Json {
+            verdict: self.verdict(),
+            metric: self.metric.name(),
+            value: number(self.value(), 5),
+            threshold: self.threshold,
+            mine: picture(mine),
+            expected: picture(expected),
+            findings: findings.iter().map(described).collect(),
+            metrics: Both {
+                before: measures(&before.metrics),
+                after: after.as_ref().map(|view| measures(&view.metrics)),
+            },
+            worst_region: region(worst),
+        };
+        serde_json::to_string_pretty(&report).expect("a report is plain data")
+    }
+
+    fn verdict_line(&self) -> String {
+        let (name, value, threshold) = (self.metric.name().to_uppercase(), self.value(), self.threshold);
+        let bound = match self.metric {
+            Metric::Flip | Metric::Rmse => "at most",
+            Metric::Psnr | Metric::Ssim => "at least",
+        };
+        let measured = format!("{name} is {}, and {bound} {threshold} is asked for", in_digits(value));
+        let within = self.metric.is_within(value, threshold);
+        match self.verdict() {
+            Verdict::Identical => "identical: every pixel is the same".to_owned(),
+            Verdict::Matches => format!("matches: {measured}"),
+            Verdict::Differs if within => format!("differs: {measured}, but it is not the same picture"),
+            Verdict::Differs => format!("differs: {measured}"),
+        }
+    }
+}
+
+impl fmt::Display for CompareReport<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Comparison { mine, expected, findings, before, after, worst } = self.comparison;
+        writeln!(formatter, "{}", self.verdict_line())?;
+        writeln!(formatter, "\nyours     {}", header(mine))?;
+        writeln!(formatter, "expected  {}", header(expected))?;
+        if !findings.is_empty() {
+            writeln!(formatter)?;
+        }
+        for finding in findings {
+            writeln!(formatter, "- {}", sentence(finding))?;
+        }
+        writeln!(formatter, "\n              RMSE     PSNR     SSIM     FLIP")?;
+        writeln!(formatter, "as it is   {}", row(&before.metrics))?;
+        if let Some(after) = after {
+            writeln!(formatter, "undone     {}", row(&after.metrics))?;
+        }
+        if worst.flip > 0.0 && self.comparison.last_view().metrics.flip > 0.0 {
+            writeln!(formatter, "\n{}", worst_line(worst, after.is_some()))?;
+        }
+        Ok(())
+    }
+}
+
+fn header(header: &Header) -> String {
+    let alpha = if header.alpha { ", with alpha (not applied)" } else { "" };
+    format!("{} x {}, {}, {} bits{alpha}", header.width, header.height, header.format.name(), header.bit_depth)
+}
+
+fn row(metrics: &Metrics) -> String {
+    let psnr = if metrics.psnr.is_finite() { format!("{:.2}", metrics.psnr) } else { "inf".to_owned() };
+    format!("{:>7.4}  {psnr:>7}  {:>7.4}  {:>7.4}", metrics.rmse, metrics.ssim, metrics.flip)
+}
+
+fn worst_line(worst: &Region, undone: bool) -> String {
+    let Region { x, y, width, height, flip, flip_outside, share } = *worst;
+    let left = if undone { "what is left is largest" } else { "the difference is largest" };
+    format!(
+        "{left} in columns {x} to {}, rows {y} to {}: FLIP {flip:.3} there, {flip_outside:.3} elsewhere, {:.0} % of all",
+        x + width - 1,
+        y + height - 1,
+        100.0 * share
+    )
+}
+
+fn in_digits(value: f64) -> String {
+    if value.is_finite() { format!("{value:.4}") } else { "infinite".to_owned() }
+}
+
+#[derive(serde::Serialize)]
+struct Json {
+    verdict: Verdict,
+    metric: &'static str,
+    value: Option<f64>,
+    threshold: f64,
+    mine: JsonPicture,
+    expected: JsonPicture,
+    findings: Vec<JsonFinding>,
+    metrics: Both,
+    worst_region: JsonRegion,
+}
+
+#[derive(serde::Serialize)]
+struct JsonPicture {
+    width: usize,
+    height: usize,
+    format: crate::picture::Format,
+    bit_depth: u8,
+    alpha: bool,
+}
+
+#[derive(serde::Serialize)]
+struct JsonFinding {
+    kind: &'static str,
+    sentence: String,
+    #[serde(flatten)]
+    figures: Value,
+}
+
+#[derive(serde::Serialize)]
+struct Both {
+    before: JsonMetrics,
+    after: Option<JsonMetrics>,
+}
+
+#[derive(serde::Serialize)]
+struct JsonMetrics {
+    rmse: Option<f64>,
+    psnr: Option<f64>,
+    ssim: Option<f64>,
+    flip: Option<f64>,
+}
+
+#[derive(serde::Serialize)]
+struct JsonRegion {
+    x: usize,
+    y: usize,
+    width: usize,
+    height: usize,
+    flip: f64,
+    flip_outside: f64,
+    share: f64,
+}
+
+fn picture(header: &Header) -> JsonPicture {
+    let Header { width, height, format, bit_depth, alpha } = *header;
+    JsonPicture { width, height, format, bit_depth, alpha }
+}
+
+fn described(finding: &Finding) -> JsonFinding {
+    JsonFinding { kind: kind(finding), sentence: sentence(finding), figures: figures(finding) }
+}
+
+fn region(region: &Region) -> JsonRegion {
+    let Region { x, y, width, height, flip, flip_outside, share } = *region;
+    let [flip, flip_outside, share] = [flip, flip_outside, share].map(|value| rounded(value, 4));
+    JsonRegion { x, y, width, height, flip, flip_outside, share }
+}
+
+fn measures(metrics: &Metrics) -> JsonMetrics {
+    let Metrics { rmse, psnr, ssim, flip } = *metrics;
+    JsonMetrics { rmse: number(rmse, 5), psnr: number(psnr, 2), ssim: number(ssim, 5), flip: number(flip, 5) }
+}
+
+/// A number for JSON, null if it is not finite.
+fn number(value: f64, digits: i32) -> Option<f64> {
+    value.is_finite().then(|| rounded(value, digits))
+}
+
+pub(super) fn rounded(value: f64, digits: i32) -> f64 {
+    let scale = 10f64.powi(digits);
+    (value * scale).round() / scale
+}

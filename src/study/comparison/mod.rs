@@ -1,0 +1,125 @@
+//! What a student's picture does differently from the expected one.
+//!
+//! The search goes from what is seen in spite of everything else to what is fine:
+//!
+//! ```text
+//!   laying   which way it is laid, and roughly shifted, by correlation, which hardly sees tones
+//!   tone     gamma, exposure, channels: a small search, the exposure solved in closed form
+//!   shift    to a fraction of a pixel
+//!   rest     clipped highlights, noise, a region, or all over
+//! ```
+//!
+//! Each finding is kept only if undoing all the others without it leaves decisively more.
+
+mod clipped;
+mod finding;
+mod laid;
+mod noise;
+mod region;
+mod resized;
+mod search;
+mod shift;
+mod structure;
+mod tone;
+mod tone_search;
+mod undoing;
+
+pub use finding::{Evidence, Finding};
+pub use region::Region;
+pub use tone::{Curve, Tone};
+
+use super::Plane;
+use super::metrics::Metrics;
+use crate::picture::{Header, Picture, Raster};
+use undoing::Undoing;
+
+/// Two pictures compared.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Comparison {
+    pub mine: Header,
+    pub expected: Header,
+    /// In the order they were looked for.
+    pub findings: Vec<Finding>,
+    /// The pictures as they are; mine resampled if the sizes differ.
+    pub before: View,
+    /// The pictures after undoing what was found; none if nothing can be undone.
+    pub after: Option<View>,
+    /// Where they differ most, after undoing what was found.
+    pub worst: Region,
+}
+
+/// Mine and the expected picture in one size, and how they differ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct View {
+    pub mine: Raster,
+    pub expected: Raster,
+    /// Where its top left corner lies in the expected picture.
+    pub corner: [usize; 2],
+    pub metrics: Metrics,
+    /// FLIP of every pixel.
+    pub flip: Plane,
+}
+
+/// How a comparison ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// Every pixel is the same.
+    Identical,
+    /// Different by no more than the threshold.
+    Matches,
+    Differs,
+}
+
+impl Comparison {
+    /// Compares a picture with the expected one. Panics if either has no pixels, which no file has.
+    pub fn of(mine: &Picture, expected: &Picture) -> Self {
+        let (mine_raster, unknown) = search::finite(&mine.to_raster());
+        let (expected_raster, _) = search::finite(&expected.to_raster());
+        let mut findings: Vec<Finding> = unknown.into_iter().collect();
+        findings.extend(search::size_finding(&mine_raster, &expected_raster));
+        let (undoing, found) = search::undoing(&mine_raster, &expected_raster, mine.header().alpha);
+        findings.extend(found);
+        let view = |undoing: &Undoing| View::of(undoing, &mine_raster, &expected_raster);
+        let (before, after) =
+            rayon::join(|| view(&Undoing::NOTHING), || (undoing != Undoing::NOTHING).then(|| view(&undoing)));
+        let view = after.as_ref().unwrap_or(&before);
+        let worst = view.worst_region();
+        let explained =
+            findings.iter().any(|finding| matches!(finding, Finding::Flat { .. } | Finding::Unrelated { .. }));
+        if !explained {
+            let pixels = |raster: &Raster| raster.pixels().len();
+            let enlarged = pixels(&mine_raster) < pixels(&expected_raster);
+            findings.extend(search::rest(view, &undoing, worst, enlarged));
+        }
+        Self { mine: mine.header(), expected: expected.header(), findings, before, after, worst }
+    }
+
+    /// The view that shows what is left: after undoing what was found.
+    pub fn last_view(&self) -> &View {
+        self.after.as_ref().unwrap_or(&self.before)
+    }
+
+    /// The verdict, given whether the metric is within its threshold.
+    pub fn verdict(&self, within: bool) -> Verdict {
+        let same_size = (self.mine.width, self.mine.height) == (self.expected.width, self.expected.height);
+        if same_size && self.findings.is_empty() && self.before.mine == self.before.expected {
+            return Verdict::Identical;
+        }
+        if within && !self.findings.iter().any(Finding::is_fault) { Verdict::Matches } else { Verdict::Differs }
+    }
+}
+
+impl View {
+    fn of(undoing: &Undoing, mine: &Raster, expected: &Raster) -> Self {
+        let aligned = undoing.applied(mine, expected);
+        let (metrics, flip) = Metrics::with_flip_map(&aligned.mine, &aligned.expected);
+        Self { mine: aligned.mine, expected: aligned.expected, corner: aligned.corner, metrics, flip }
+    }
+
+    /// The worst region, in pixels of the expected picture.
+    fn worst_region(&self) -> Region {
+        let region = region::worst(&self.flip);
+        Region { x: region.x + self.corner[0], y: region.y + self.corner[1], ..region }
+    }
+}

@@ -1,0 +1,116 @@
+//! Where two pictures differ most.
+
+use crate::study::Plane;
+
+/// A box of pixels, and how it differs.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Region {
+    /// Left column and top row, from the top left corner of the expected picture.
+    pub x: usize,
+    pub y: usize,
+    pub width: usize,
+    pub height: usize,
+    /// Mean FLIP inside.
+    pub flip: f64,
+    /// Mean FLIP outside.
+    pub flip_outside: f64,
+    /// Share of all FLIP that lies inside, `[0, 1]`.
+    pub share: f64,
+}
+
+/// Side of the cells that the picture is divided into.
+const CELL: usize = 8;
+/// Cells this bright, relative to the brightest, belong to its region.
+const BELONGS: f64 = 0.4;
+
+/// The worst region: the cells around the worst one that differ nearly as much and hang together, as a box.
+pub(super) fn worst(map: &Plane) -> Region {
+    let (columns, rows) = (map.width().div_ceil(CELL), map.height().div_ceil(CELL));
+    let range = |cell: usize, length: usize| cell * CELL..((cell + 1) * CELL).min(length);
+    let cell_mean = |column: usize, row: usize| mean_within(map, range(column, map.width()), range(row, map.height()));
+    let cells: Vec<f64> = (0..columns * rows).map(|index| cell_mean(index % columns, index / columns)).collect();
+    let smooth = smoothed(&cells, columns, rows);
+    let mut peak = 0;
+    for index in 1..smooth.len() {
+        if smooth[index] > smooth[peak] {
+            peak = index;
+        }
+    }
+    let [left, top, right, bottom] = component(&smooth, columns, peak);
+    let (xs, ys) = (left * CELL..(right * CELL).min(map.width()), top * CELL..(bottom * CELL).min(map.height()));
+    described(map, xs, ys)
+}
+
+fn described(map: &Plane, xs: std::ops::Range<usize>, ys: std::ops::Range<usize>) -> Region {
+    let inside = mean_within(map, xs.clone(), ys.clone());
+    let (area, all) = ((xs.len() * ys.len()) as f64, (map.width() * map.height()) as f64);
+    let total = map.mean() * all;
+    let outside = if all > area { ((total - inside * area) / (all - area)).max(0.0) } else { 0.0 };
+    let share = if total > 0.0 { (inside * area / total).min(1.0) } else { 0.0 };
+    Region { x: xs.start, y: ys.start, width: xs.len(), height: ys.len(), flip: inside, flip_outside: outside, share }
+}
+
+fn mean_within(map: &Plane, xs: std::ops::Range<usize>, ys: std::ops::Range<usize>) -> f64 {
+    let count = xs.len() * ys.len();
+    let rows = ys.map(|y| xs.clone().map(|x| f64::from(map.at(x, y))).sum::<f64>());
+    rows.sum::<f64>() / count.max(1) as f64
+}
+
+/// Every cell with its eight neighbours: one firefly is no region.
+fn smoothed(cells: &[f64], columns: usize, rows: usize) -> Vec<f64> {
+    let around = |cell: usize, count: usize| cell.saturating_sub(1)..(cell + 2).min(count);
+    let mean = |index: usize| {
+        let (xs, ys) = (around(index % columns, columns), around(index / columns, rows));
+        let count = xs.len() * ys.len();
+        ys.flat_map(|y| xs.clone().map(move |x| cells[y * columns + x])).sum::<f64>() / count as f64
+    };
+    (0..cells.len()).map(mean).collect()
+}
+
+/// Left, top, right and bottom (the latter exclusive) of the cells that hang together with the peak.
+fn component(cells: &[f64], columns: usize, peak: usize) -> [usize; 4] {
+    let threshold = BELONGS * cells[peak];
+    let mut visited = vec![false; cells.len()];
+    let mut waiting = vec![peak];
+    visited[peak] = true;
+    let (mut left, mut top) = (peak % columns, peak / columns);
+    let (mut right, mut bottom) = (left + 1, top + 1);
+    while let Some(index) = waiting.pop() {
+        let (x, y) = (index % columns, index / columns);
+        (left, top, right, bottom) = (left.min(x), top.min(y), right.max(x + 1), bottom.max(y + 1));
+        let beside = [
+            (x > 0).then(|| index - 1),
+            (x + 1 < columns).then(|| index + 1),
+            (y > 0).then(|| index - columns),
+            Some(index + columns).filter(|&below| below < cells.len()),
+        ];
+        for next in beside.into_iter().flatten() {
+            if !visited[next] && cells[next] >= threshold && cells[next] > 0.0 {
+                visited[next] = true;
+                waiting.push(next);
+            }
+        }
+    }
+    [left, top, right, bottom]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_patch_is_framed_and_a_single_pixel_is_not_preferred() {
+        let (width, height) = (160, 120);
+        let mut values = vec![0.01; width * height];
+        for y in 40..64 {
+            for x in 80..120 {
+                values[y * width + x] = 0.5;
+            }
+        }
+        values[5 * width + 5] = 1.0;
+        let region = worst(&Plane::new(width, height, values));
+        assert!(region.x <= 80 && region.x >= 64 && region.y <= 40 && region.y >= 24, "{region:?}");
+        assert!(region.x + region.width >= 120 && region.y + region.height >= 64, "{region:?}");
+        assert!(region.share > 0.6 && region.flip > 10.0 * region.flip_outside, "{region:?}");
+    }
+}

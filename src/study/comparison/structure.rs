@@ -1,0 +1,164 @@
+//! Which way a picture is laid, and about how far it is shifted: from what it shows, whatever its tones.
+//!
+//! Both pictures are made small, their lumas freed from slow changes, and compared by normalised cross-correlation under
+//! all layings and shifts. Correlation does not see exposure and hardly sees gamma, so this comes first.
+
+use super::laid::{OPERATIONS, exchanges_sides, laid};
+use super::resized::resized;
+use crate::colour::luminance;
+use crate::envmap::ImageOperation;
+use crate::picture::Raster;
+use crate::study::plane::{Plane, gaussian};
+
+/// Long side of the pictures that are searched, and of those that decide.
+const SEARCHED_SIDE: usize = 64;
+pub(super) const DECIDING_SIDE: usize = 256;
+/// Shifts searched, in pixels of the small pictures: a tenth of the picture.
+const REACH: i32 = 6;
+/// Below this standard deviation of the luma a picture shows nothing.
+const FLAT: f64 = 0.002;
+
+/// The best match under one laying.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Match {
+    /// The operation that lays mine as the expected one.
+    pub operation: ImageOperation,
+    /// Normalised cross-correlation, `[-1, 1]`; 0 if one of them shows nothing.
+    pub correlation: f64,
+    /// Mine shows at `p + shift` what the expected one shows at `p`: in pixels of the deciding size.
+    pub shift: [i32; 2],
+}
+
+/// A pair of pictures of display codes, and the matches of mine under every laying that its proportions allow.
+pub(super) fn matches(mine: &Raster, expected: &Raster) -> Vec<Match> {
+    let operations = plausible(mine, expected);
+    let deciding = thumbnail_size(expected, DECIDING_SIDE);
+    let searched = thumbnail_size(expected, SEARCHED_SIDE);
+    let detail = |raster: &Raster, operation, size| detail(&thumbnail(raster, operation, size));
+    let (wide, small) =
+        (detail(expected, ImageOperation::None, deciding), detail(expected, ImageOperation::None, searched));
+    let ratio = |axis: usize| deciding[axis] as f32 / searched[axis] as f32;
+    operations
+        .into_iter()
+        .map(|operation| {
+            let coarse = best_shift(&detail(mine, operation, searched), &small, [0, 0], REACH).1;
+            let start = [0, 1].map(|axis| (coarse[axis] as f32 * ratio(axis)).round() as i32);
+            let (correlation, shift) = best_shift(&detail(mine, operation, deciding), &wide, start, 3);
+            Match { operation, correlation, shift }
+        })
+        .collect()
+}
+
+/// The match to believe: as it is, unless another laying fits decisively better.
+pub(super) fn decided(matches: &[Match]) -> Match {
+    let as_it_is = matches[0];
+    let mut best = as_it_is;
+    for candidate in &matches[1..] {
+        if candidate.correlation > best.correlation + 1e-3 {
+            best = *candidate;
+        }
+    }
+    let decisive = best.correlation > as_it_is.correlation + 0.05
+        && 1.0 - as_it_is.correlation > 2.0 * (1.0 - best.correlation) + 0.01;
+    if decisive { best } else { as_it_is }
+}
+
+/// True if the picture shows nothing but one tone.
+pub(super) fn is_flat(codes: &Raster) -> bool {
+    let luma = Plane::of_raster(codes, luminance);
+    let mean = luma.mean();
+    let variance = luma.values().iter().map(|&value| (f64::from(value) - mean) * (f64::from(value) - mean));
+    (variance.sum::<f64>() / luma.values().len() as f64).sqrt() < FLAT
+}
+
+/// The layings that give mine the proportions of the expected picture; without quarter turns if none does.
+fn plausible(mine: &Raster, expected: &Raster) -> Vec<ImageOperation> {
+    let fits = |operation: &ImageOperation| {
+        let (width, height) =
+            if exchanges_sides(*operation) { (mine.height(), mine.width()) } else { (mine.width(), mine.height()) };
+        same_proportions([width, height], [expected.width(), expected.height()])
+    };
+    let fitting: Vec<ImageOperation> = OPERATIONS.into_iter().filter(fits).collect();
+    let straight = OPERATIONS.into_iter().filter(|&operation| !exchanges_sides(operation)).collect();
+    match fitting.first() {
+        None => straight,
+        Some(ImageOperation::None) => fitting,
+        // Only turned it has the proportions: the straight ones stay as what a turn must beat.
+        Some(_) => [ImageOperation::None].into_iter().chain(fitting).collect(),
+    }
+}
+
+/// True if width to height agree within 2 %.
+pub(super) fn same_proportions([width, height]: [usize; 2], [other_width, other_height]: [usize; 2]) -> bool {
+    let (a, b) = ((width * other_height) as f64, (other_width * height) as f64);
+    (a - b).abs() <= 0.02 * a.max(b)
+}
+
+/// Width and height of a picture made small, its long side at most `side`.
+pub(super) fn thumbnail_size(raster: &Raster, side: usize) -> [usize; 2] {
+    let long = raster.width().max(raster.height());
+    let scaled = |length: usize| if long <= side { length } else { (length * side / long).max(1) };
+    [scaled(raster.width()), scaled(raster.height())]
+}
+
+/// A picture laid and made small.
+pub(super) fn thumbnail(raster: &Raster, operation: ImageOperation, [width, height]: [usize; 2]) -> Raster {
+    if exchanges_sides(operation) {
+        return laid(&resized(raster, height, width), operation);
+    }
+    laid(&resized(raster, width, height), operation)
+}
+
+/// The luma without slow changes and without the finest noise.
+fn detail(codes: &Raster) -> Plane {
+    let luma = Plane::of_raster(codes, luminance);
+    let (fine, wide) = (gaussian(0.7, 2), gaussian(luma.width().max(luma.height()) as f64 / 16.0, SEARCHED_SIDE / 8));
+    let smooth = luma.filtered(&fine, &fine);
+    let background = smooth.filtered(&wide, &wide);
+    smooth.zip(&background, |value, slow| value - slow)
+}
+
+/// The shift within `reach` of `start` under which the planes correlate best.
+fn best_shift(mine: &Plane, expected: &Plane, start: [i32; 2], reach: i32) -> (f64, [i32; 2]) {
+    let offsets = || -reach..=reach;
+    let mut best = (correlation(mine, expected, start), start);
+    for (y, x) in offsets().flat_map(|y| offsets().map(move |x| (y, x))) {
+        let shift = [start[0] + x, start[1] + y];
+        let found = correlation(mine, expected, shift);
+        if found > best.0 + 1e-6 {
+            best = (found, shift);
+        }
+    }
+    best
+}
+
+/// Normalised cross-correlation of `mine(p + shift)` and `expected(p)` where both are; 0 if one is nothing there.
+fn correlation(mine: &Plane, expected: &Plane, [x, y]: [i32; 2]) -> f64 {
+    let range = |shift: i32, length: usize| {
+        let length = length as i32;
+        (-shift).clamp(0, length) as usize..(length - shift).clamp(0, length) as usize
+    };
+    let (columns, rows) = (range(x, expected.width()), range(y, expected.height()));
+    if columns.is_empty() || rows.is_empty() {
+        return 0.0;
+    }
+    let width = expected.width();
+    let mut sums = [0.0f64; 3];
+    for row in rows {
+        let there = ((row as i32 + y) as usize * width) as i32 + x;
+        let a = &mine.values()[(there + columns.start as i32) as usize..(there + columns.end as i32) as usize];
+        let b = &expected.values()[row * width + columns.start..row * width + columns.end];
+        // One row in single precision is exact enough; rows add up in double.
+        let mut line = [0.0f32; 3];
+        for (&a, &b) in a.iter().zip(b) {
+            line[0] += a * b;
+            line[1] += a * a;
+            line[2] += b * b;
+        }
+        for (sum, part) in sums.iter_mut().zip(line) {
+            *sum += f64::from(part);
+        }
+    }
+    let energy = (sums[1] * sums[2]).sqrt();
+    if energy > 1e-9 { sums[0] / energy } else { 0.0 }
+}

@@ -1,0 +1,95 @@
+//! Everything that was found, undone together or in part.
+
+use super::laid::laid;
+use super::resized::resized;
+use super::shift;
+use super::tone::{Curve, Tone};
+use crate::envmap::ImageOperation;
+use crate::picture::Raster;
+use crate::study::plane::display;
+
+/// What is done to mine to make it the expected picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Undoing {
+    pub operation: ImageOperation,
+    pub tone: Tone,
+    pub shift: Option<[f64; 2]>,
+}
+
+/// One of the things that are undone.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Part {
+    Laying,
+    Channels,
+    Curve,
+    Exposure,
+    Shift,
+}
+
+/// Mine and the expected picture after an undoing, cut to what they share.
+pub(super) struct Aligned {
+    pub mine: Raster,
+    pub expected: Raster,
+    /// Where the cut begins in the expected picture, column and row.
+    pub corner: [usize; 2],
+}
+
+impl Undoing {
+    pub const NOTHING: Self = Self { operation: ImageOperation::None, tone: Tone::AS_EXPECTED, shift: None };
+
+    pub const PARTS: [Part; 5] = [Part::Laying, Part::Channels, Part::Curve, Part::Exposure, Part::Shift];
+
+    /// This undoing but for one part.
+    pub fn without(mut self, part: Part) -> Self {
+        match part {
+            Part::Laying => self.operation = ImageOperation::None,
+            Part::Channels => self.tone.red_blue_swapped = false,
+            Part::Curve => self.tone.curve = Curve::AsExpected,
+            Part::Exposure => self.tone.exposure = 1.0,
+            Part::Shift => self.shift = None,
+        }
+        self
+    }
+
+    /// True if the part is among what is undone.
+    pub fn has(&self, part: Part) -> bool {
+        *self != self.without(part)
+    }
+
+    /// Mine laid, in the size of the expected picture and with its tone undone, but not shifted.
+    pub fn unshifted(&self, mine: &Raster, expected: &Raster) -> Raster {
+        let turned = if self.operation == ImageOperation::None { mine.clone() } else { laid(mine, self.operation) };
+        let mut sized = resized(&turned, expected.width(), expected.height());
+        if self.tone != Tone::AS_EXPECTED {
+            for pixel in sized.pixels_mut() {
+                *pixel = self.tone.undone(*pixel);
+            }
+        }
+        sized
+    }
+
+    /// Mine with all of it undone.
+    pub fn applied(&self, mine: &Raster, expected: &Raster) -> Aligned {
+        let unshifted = self.unshifted(mine, expected);
+        let Some(shift) = self.shift else {
+            return Aligned { mine: unshifted, expected: expected.clone(), corner: [0, 0] };
+        };
+        let (mine, expected, corner) = shift::undone(&unshifted, expected, shift);
+        Aligned { mine, expected, corner }
+    }
+}
+
+impl Aligned {
+    /// The mean difference on display, in codes of 255; of large pictures, that of every few pixels.
+    pub fn difference(&self) -> f64 {
+        // An odd stride that no usual width is a multiple of.
+        let stride = if self.mine.pixels().len() > 200_000 { 7 } else { 1 };
+        let pixels = self.mine.pixels().iter().zip(self.expected.pixels()).step_by(stride);
+        let (mut sum, mut count) = (0.0, 0usize);
+        for (&a, &b) in pixels {
+            sum += f64::from((display(a) - display(b)).abs().element_sum());
+            count += 3;
+        }
+        255.0 * sum / count.max(1) as f64
+    }
+}

@@ -1,0 +1,64 @@
+//! FLIP: what an eye sees when two pictures alternate (Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild:
+//! FLIP, A Difference Evaluator for Alternating Images, 2020; the variant for displayed pictures).
+//!
+//! ```text
+//!   colour:   what the eye resolves (contrast sensitivity) -> Lab, Hunt-adjusted -> HyAB distance -> [0, 1]
+//!   features: edges and points of the lightness -> their difference -> [0, 1]
+//!   FLIP = colour difference ^ (1 - feature difference)
+//! ```
+
+mod colour_difference;
+mod colour_space;
+mod contrast_sensitivity;
+mod features;
+
+use super::check_sizes;
+use crate::math::Vec3;
+use crate::math::functions::power;
+use crate::picture::Raster;
+use crate::study::Plane;
+
+/// Pixels a degree of the visual field: a monitor 0.7 m wide with 3840 pixels seen from 0.7 m, as in the paper.
+pub const PIXELS_A_DEGREE: f64 = 67.020_643_276_582_25;
+
+/// The FLIP of every pixel, in `[0, 1]`: 0 for equal pictures. The pictures are cut off at 1, as displayed. Symmetric.
+///
+/// NaN where a pixel of either picture is not a number.
+pub fn flip_map(picture: &Raster, reference: &Raster) -> Plane {
+    check_sizes(picture, reference);
+    let ((colours_a, features_a), (colours_b, features_b)) = rayon::join(|| seen(picture), || seen(reference));
+    let count = colours_a.len();
+    let mut values = Vec::with_capacity(count);
+    for index in 0..count {
+        let colour = colour_difference::redistributed(colour_difference::distance(colours_a[index], colours_b[index]));
+        let feature = features_a.difference(&features_b, index);
+        let unknown = picture.pixels()[index].is_nan() || reference.pixels()[index].is_nan();
+        values.push(if unknown { f32::NAN } else { power(colour, 1.0 - feature) });
+    }
+    Plane::new(picture.width(), picture.height(), values)
+}
+
+/// The colours the eye resolves (Hunt-adjusted Lab), and the features, of a picture.
+fn seen(picture: &Raster) -> (Vec<Vec3>, features::Features) {
+    let cut_off = |&colour: &Vec3| {
+        let channel = |value: f32| if value > 0.0 { value.min(1.0) } else { 0.0 };
+        colour_space::opponent_of_linear(Vec3::from_array(colour.to_array().map(channel)))
+    };
+    let opponents: Vec<Vec3> = picture.pixels().iter().map(cut_off).collect();
+    let plane = |channel: usize| {
+        Plane::new(picture.width(), picture.height(), opponents.iter().map(|colour| colour[channel]).collect())
+    };
+    let planes = [plane(0), plane(1), plane(2)];
+    let lightness =
+        Plane::new(picture.width(), picture.height(), planes[0].values().iter().map(|y| (y + 16.0) / 116.0).collect());
+    let features = features::Features::of_lightness(&lightness);
+    let [y, x, z] = contrast_sensitivity::resolved(&planes);
+    let colour = |index: usize| {
+        let opponent = Vec3::new(y.values()[index], x.values()[index], z.values()[index]);
+        colour_space::hunt_adjusted(colour_space::lab_of_opponent(opponent))
+    };
+    ((0..opponents.len()).map(colour).collect(), features)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,151 @@
+//! One channel of a picture.
+
+use crate::colour::{encode_srgb, luminance};
+use crate::math::Vec3;
+use crate::picture::Raster;
+
+/// A rectangle of numbers, row by row from the top left.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plane {
+    width: usize,
+    height: usize,
+    values: Vec<f32>,
+}
+
+impl Plane {
+    /// A plane from its values. Panics if the count is not `width * height`.
+    pub fn new(width: usize, height: usize, values: Vec<f32>) -> Self {
+        assert_eq!(values.len(), width * height, "a plane needs width * height values");
+        Self { width, height, values }
+    }
+
+    /// One number of every pixel.
+    pub fn of_raster(raster: &Raster, value: impl Fn(Vec3) -> f32) -> Self {
+        let values = raster.pixels().iter().map(|&colour| value(colour)).collect();
+        Self::new(raster.width(), raster.height(), values)
+    }
+
+    /// The luma of a picture as displayed: the weights of the luminance applied to the sRGB-encoded channels, `[0, 1]`.
+    pub fn luma(raster: &Raster) -> Self {
+        Self::of_raster(raster, |colour| luminance(display(colour)))
+    }
+
+    pub fn width(&self) -> usize {
+        self.width
+    }
+
+    pub fn height(&self) -> usize {
+        self.height
+    }
+
+    /// All values, row by row from the top.
+    pub fn values(&self) -> &[f32] {
+        &self.values
+    }
+
+    /// The value in column `x` and row `y`, counted from the top left.
+    pub fn at(&self, x: usize, y: usize) -> f32 {
+        self.values[y * self.width + x]
+    }
+
+    /// The mean of all values.
+    pub fn mean(&self) -> f64 {
+        self.values.iter().map(|&value| f64::from(value)).sum::<f64>() / self.values.len() as f64
+    }
+
+    /// A plane computed value by value from two of the same size.
+    pub fn zip(&self, other: &Self, value: impl Fn(f32, f32) -> f32) -> Self {
+        assert_eq!((self.width, self.height), (other.width, other.height), "planes of different size");
+        let values = self.values.iter().zip(&other.values).map(|(&a, &b)| value(a, b)).collect();
+        Self::new(self.width, self.height, values)
+    }
+
+    /// The plane filtered along rows with one kernel and along columns with another, both of an odd number of taps with
+    /// the middle one on the pixel. Outside, the border goes on.
+    pub fn filtered(&self, along_rows: &[f32], along_columns: &[f32]) -> Self {
+        self.filtered_along_rows(along_rows).filtered_along_columns(along_columns)
+    }
+
+    /// The plane filtered from left to right.
+    pub fn filtered_along_rows(&self, kernel: &[f32]) -> Self {
+        let radius = kernel.len() / 2;
+        let mut values = vec![0.0; self.values.len()];
+        let mut padded = Vec::with_capacity(self.width + 2 * radius);
+        for (row, filtered) in self.values.chunks_exact(self.width).zip(values.chunks_exact_mut(self.width)) {
+            padded.clear();
+            padded.extend(std::iter::repeat_n(row[0], radius));
+            padded.extend_from_slice(row);
+            padded.extend(std::iter::repeat_n(row[self.width - 1], radius));
+            for (tap, &weight) in kernel.iter().enumerate() {
+                add_scaled(filtered, &padded[tap..tap + self.width], weight);
+            }
+        }
+        Self::new(self.width, self.height, values)
+    }
+
+    /// The plane filtered from top to bottom.
+    pub fn filtered_along_columns(&self, kernel: &[f32]) -> Self {
+        let radius = kernel.len() / 2;
+        let mut values = vec![0.0; self.values.len()];
+        for (y, filtered) in values.chunks_exact_mut(self.width).enumerate() {
+            for (tap, &weight) in kernel.iter().enumerate() {
+                let row = (y + tap).saturating_sub(radius).min(self.height - 1);
+                add_scaled(filtered, &self.values[row * self.width..(row + 1) * self.width], weight);
+            }
+        }
+        Self::new(self.width, self.height, values)
+    }
+}
+
+fn add_scaled(sums: &mut [f32], values: &[f32], weight: f32) {
+    for (sum, &value) in sums.iter_mut().zip(values) {
+        *sum += weight * value;
+    }
+}
+
+/// The sRGB-encoded colour in `[0, 1]` that a display shows of a linear one, cut off at 1.
+pub(super) fn display(colour: Vec3) -> Vec3 {
+    Vec3::new(encode_srgb(colour.x), encode_srgb(colour.y), encode_srgb(colour.z))
+}
+
+/// A sampled Gaussian of the given standard deviation, from `-radius` to `radius`, its sum 1.
+pub(super) fn gaussian(deviation: f64, radius: usize) -> Vec<f32> {
+    let offsets = (0..=2 * radius).map(|tap| tap as f64 - radius as f64);
+    let weights: Vec<f64> =
+        offsets.map(|x| crate::math::functions::exponential_f64(-x * x / (2.0 * deviation * deviation))).collect();
+    let sum: f64 = weights.iter().sum();
+    weights.iter().map(|weight| (weight / sum) as f32).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn filtering_is_the_double_sum_with_the_border_going_on() {
+        let (width, height) = (7, 5);
+        let values = (0..width * height).map(|index| ((index * 29) % 17) as f32).collect();
+        let plane = Plane::new(width, height, values);
+        let (rows, columns) = ([0.5, -1.0, 0.25, 2.0, 0.125], [1.0, 0.5, -0.25]);
+        let filtered = plane.filtered(&rows, &columns);
+        for (x, y) in (0..width).flat_map(|x| (0..height).map(move |y| (x, y))) {
+            let mut sum = 0.0;
+            for (i, a) in rows.iter().enumerate() {
+                for (j, b) in columns.iter().enumerate() {
+                    let column = (x + i).saturating_sub(2).min(width - 1);
+                    let row = (y + j).saturating_sub(1).min(height - 1);
+                    sum += a * b * plane.at(column, row);
+                }
+            }
+            assert!((filtered.at(x, y) - sum).abs() < 1e-4, "{x} {y}");
+        }
+    }
+
+    #[test]
+    fn a_gaussian_is_symmetric_and_sums_to_one() {
+        let kernel = gaussian(1.5, 5);
+        assert_eq!(kernel.len(), 11);
+        assert!((kernel.iter().sum::<f32>() - 1.0).abs() < 1e-6);
+        assert_eq!(kernel[2], kernel[8]);
+    }
+}

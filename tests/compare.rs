@@ -1,0 +1,307 @@
+//! What was done to a picture must be named, and nothing else.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+use skycube::colour::encode_srgb;
+use skycube::envmap::ImageOperation;
+use skycube::math::Vec3;
+use skycube::picture::{Format, Header, Picture, Raster, Texels, WriteOptions};
+use skycube::report::{CompareReport, Metric};
+use skycube::study::comparison::{Comparison, Curve, Finding, Verdict};
+
+fn project(file: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(file)
+}
+
+fn raster(file: &str) -> Raster {
+    skycube::picture::read(&project(file)).unwrap().to_raster()
+}
+
+/// Pictures of the project, their sides halved or quartered, with an offset in full pixels.
+fn subject(name: &str, [x, y]: [usize; 2]) -> Raster {
+    let (file, factor) = match name {
+        "lesson" => ("lessons/06-environment-map/glass-and-mirror.jpg", 4),
+        "compass" => ("envmaps/compass/posy.png", 2),
+        "courtyard" => ("envmaps/courtyard/negx.jpg", 4),
+        face => (face, 4),
+    };
+    let full = raster(file);
+    let (width, height) = (full.width() / factor - 4, full.height() / factor - 4);
+    Raster::from_function(width, height, |column, row| {
+        let pixel = |index: usize| full.pixel(column * factor + x + index % factor, row * factor + y + index / factor);
+        (0..factor * factor).map(pixel).sum::<Vec3>() / (factor * factor) as f32
+    })
+}
+
+const SUBJECTS: [&str; 3] = ["lesson", "compass", "courtyard"];
+
+/// The picture as an 8-bit file holds it.
+fn file_of(raster: &Raster) -> Picture {
+    let byte = |value: f32| (encode_srgb(value) * 255.0).round() as u8;
+    let bytes = raster.pixels().iter().flat_map(|colour| colour.to_array().map(byte)).collect();
+    let header =
+        Header { width: raster.width(), height: raster.height(), format: Format::Png, bit_depth: 8, alpha: false };
+    Picture::new(header, Texels::Srgb8(bytes))
+}
+
+fn each(raster: &Raster, change: impl Fn(Vec3) -> Vec3) -> Raster {
+    let pixels = raster.pixels().iter().map(|&colour| change(colour)).collect();
+    Raster::from_pixels(raster.width(), raster.height(), pixels)
+}
+
+fn channels(colour: Vec3, change: impl Fn(f32) -> f32) -> Vec3 {
+    Vec3::from_array(colour.to_array().map(change))
+}
+
+fn decoded(code: f32) -> f32 {
+    if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) }
+}
+
+fn flipped(raster: &Raster) -> Raster {
+    let last = raster.width() - 1;
+    Raster::from_function(raster.width(), raster.height(), |x, y| raster.pixel(last - x, y))
+}
+
+/// Noise of the given deviation in display codes, from a small generator of its own.
+fn noisy(raster: &Raster, deviation: f32) -> Raster {
+    let mut state = 12_345u64;
+    let mut uniform = move || {
+        state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 40) as f32 / (1u64 << 24) as f32
+    };
+    let mut gaussian = move || (0..12).map(|_| uniform()).sum::<f32>() - 6.0;
+    let mut noisy = |channel: f32| decoded((encode_srgb(channel) + deviation * gaussian()).clamp(0.0, 1.0));
+    let pixels: Vec<Vec3> =
+        raster.pixels().iter().map(|colour| Vec3::new(noisy(colour.x), noisy(colour.y), noisy(colour.z))).collect();
+    Raster::from_pixels(raster.width(), raster.height(), pixels)
+}
+
+fn no_gamma(raster: &Raster) -> Raster {
+    each(raster, |colour| channels(colour, decoded))
+}
+
+/// What is found, in short; clipped highlights follow from exposure and are left out.
+fn found(mine: &Raster, expected: &Raster) -> Vec<String> {
+    names(&Comparison::of(&file_of(mine), &file_of(expected)))
+}
+
+fn names(comparison: &Comparison) -> Vec<String> {
+    let name = |finding: &Finding| {
+        Some(match finding {
+            Finding::NotFinite { .. } => "not finite".to_owned(),
+            Finding::Size { .. } => "size".to_owned(),
+            Finding::Flat { .. } => "flat".to_owned(),
+            Finding::Unrelated { .. } => "unrelated".to_owned(),
+            Finding::Laid { operation, .. } => operation.name().to_owned(),
+            Finding::RedBlueSwapped { .. } => "red-blue".to_owned(),
+            Finding::Encoding { curve, .. } => match curve {
+                Curve::Power(power) => format!("power {power:.1}"),
+                curve => format!("{curve:?}"),
+            },
+            Finding::Exposure { factor, .. } => format!("exposure {factor:.1}"),
+            Finding::Shifted { x, y, .. } => format!("shift {x} {y}"),
+            Finding::ClippedHighlights { .. } => return None,
+            Finding::Noise { .. } => "noise".to_owned(),
+            Finding::Region { .. } => "region".to_owned(),
+            Finding::Everywhere => "everywhere".to_owned(),
+        })
+    };
+    comparison.findings.iter().filter_map(name).collect()
+}
+
+#[test]
+fn the_same_picture_and_a_little_noise_name_nothing() {
+    for subject in SUBJECTS.map(|name| self::subject(name, [0, 0])) {
+        let file = file_of(&subject);
+        let comparison = Comparison::of(&file, &file);
+        assert_eq!(comparison.verdict(true), Verdict::Identical);
+        assert_eq!(comparison.findings, []);
+        assert_eq!(found(&noisy(&subject, 0.006), &subject), [""; 0]);
+    }
+}
+
+#[test]
+fn every_single_mistake_is_named() {
+    for name in SUBJECTS {
+        let expected = subject(name, [0, 0]);
+        let square = Raster::from_function(140, 140, |x, y| expected.pixel(x, y));
+        let turned = Raster::from_function(140, 140, |x, y| square.pixel(y, 139 - x));
+        let cases: [(Raster, &Raster, &str); 9] = [
+            (flipped(&expected), &expected, "flip left-right"),
+            (turned, &square, "turn 90° clockwise"),
+            (no_gamma(&expected), &expected, "NotEncoded"),
+            (each(&expected, |colour| channels(colour, encode_srgb)), &expected, "EncodedTwice"),
+            (each(&expected, |colour| colour * 0.5), &expected, "exposure 0.5"),
+            (each(&expected, |colour| colour * 1.9), &expected, "exposure 1.9"),
+            (each(&expected, |colour| Vec3::new(colour.z, colour.y, colour.x)), &expected, "red-blue"),
+            (each(&expected, |colour| channels(colour, |value| value.powf(1.4))), &expected, "power 1.4"),
+            (noisy(&expected, 0.1), &expected, "noise"),
+        ];
+        for (mine, expected, finding) in cases {
+            assert_eq!(found(&mine, expected), [finding], "{name}");
+        }
+    }
+}
+
+#[test]
+fn the_power_that_is_nearly_srgb_is_told_from_it() {
+    let expected = subject("lesson", [0, 0]);
+    let mine = each(&expected, |colour| channels(colour, |value| decoded(value.powf(1.0 / 2.2))));
+    assert_eq!(found(&mine, &expected), ["PlainGamma"]);
+}
+
+#[test]
+fn shifts_are_named_to_half_a_pixel() {
+    let expected = subject("lesson", [4, 4]);
+    // The picture of a camera that looks further to the right lies further to the left.
+    for (offset, finding) in
+        [([0, 4], "shift 1 0"), ([2, 2], "shift 0.5 0.5"), ([4, 12], "shift 0 -2"), ([6, 4], "shift -0.5 0")]
+    {
+        assert_eq!(found(&subject("lesson", offset), &expected), [finding]);
+    }
+}
+
+#[test]
+fn mistakes_made_together_are_all_named() {
+    for name in SUBJECTS {
+        let expected = subject(name, [0, 0]);
+        assert_eq!(found(&no_gamma(&flipped(&expected)), &expected), ["flip left-right", "NotEncoded"], "{name}");
+        let dark = no_gamma(&flipped(&each(&expected, |colour| colour * 0.5)));
+        assert_eq!(found(&dark, &expected), ["flip left-right", "NotEncoded", "exposure 0.5"], "{name}");
+        let swapped = each(&expected, |colour| Vec3::new(colour.z, colour.y, colour.x) * 0.7);
+        assert_eq!(found(&swapped, &expected), ["red-blue", "exposure 0.7"], "{name}");
+    }
+    let (expected, shifted) = (subject("lesson", [0, 0]), subject("lesson", [4, 0]));
+    let dark = each(&shifted, |colour| colour * 0.6);
+    assert_eq!(found(&dark, &expected), ["exposure 0.6", "shift -1 0"]);
+    assert_eq!(found(&noisy(&dark, 0.05), &expected), ["exposure 0.6", "shift -1 0", "noise"]);
+}
+
+#[test]
+fn another_size_is_named_and_looked_through() {
+    let expected = subject("lesson", [0, 0]);
+    let half = Raster::from_function(expected.width() / 2, expected.height() / 2, |x, y| {
+        (0..4).map(|index| expected.pixel(2 * x + index % 2, 2 * y + index / 2)).sum::<Vec3>() / 4.0
+    });
+    assert_eq!(found(&expected, &half), ["size"]);
+    assert_eq!(found(&flipped(&expected), &half), ["size", "flip left-right"]);
+}
+
+#[test]
+fn something_else_is_called_so_and_nothing_wrong_is_named() {
+    for (mine, expected) in [("lesson", "courtyard"), ("courtyard", "compass"), ("compass", "lesson")] {
+        let (mine, expected) = (subject(mine, [0, 0]), subject(expected, [0, 0]));
+        let mine = Raster::from_function(expected.width().min(140), 120, |x, y| mine.pixel(x.min(120), y));
+        let expected = Raster::from_function(mine.width(), 120, |x, y| expected.pixel(x.min(120), y));
+        assert_eq!(found(&mine, &expected), ["unrelated"]);
+    }
+    for face in ["posx", "posy", "negy", "negz"] {
+        let mine = subject(&format!("envmaps/courtyard/{face}.jpg"), [0, 0]);
+        let expected = subject("courtyard", [0, 0]);
+        assert_eq!(found(&mine, &expected), ["unrelated"], "{face}");
+    }
+}
+
+#[test]
+fn a_changed_region_is_framed() {
+    let expected = subject("lesson", [0, 0]);
+    let mut mine = expected.clone();
+    for (x, y) in (60..90).flat_map(|x| (40..64).map(move |y| (x, y))) {
+        mine.set(x, y, Vec3::new(1.0, 0.0, 1.0));
+    }
+    let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));
+    assert_eq!(names(&comparison), ["region"]);
+    assert_eq!(comparison.verdict(true), Verdict::Differs);
+    let worst = comparison.worst;
+    assert!(worst.x <= 60 && worst.x + worst.width >= 90 && worst.width < 60, "{worst:?}");
+    assert!(worst.y <= 40 && worst.y + worst.height >= 64 && worst.height < 54, "{worst:?}");
+}
+
+#[test]
+fn black_and_broken_pictures_are_called_so() {
+    let expected = subject("lesson", [0, 0]);
+    let black = Raster::filled(expected.width(), expected.height(), Vec3::ZERO);
+    assert_eq!(found(&black, &expected), ["flat"]);
+    let mut broken = expected.clone();
+    broken.set(7, 5, Vec3::splat(f32::NAN));
+    let header = Header { format: Format::Exr, bit_depth: 32, ..file_of(&expected).header() };
+    let float = |raster: &Raster| Picture::new(header, Texels::Linear(raster.pixels().to_vec()));
+    let comparison = Comparison::of(&float(&broken), &float(&expected));
+    assert!(matches!(comparison.findings[0], Finding::NotFinite { pixels: 1, first: [7, 5] }));
+    assert_eq!(comparison.verdict(true), Verdict::Differs);
+}
+
+#[test]
+fn highlights_that_a_file_cut_off_are_named() {
+    let bright = each(&subject("lesson", [0, 0]), |colour| colour * 2.0);
+    let header = Header { format: Format::Exr, bit_depth: 32, ..file_of(&bright).header() };
+    let expected = Picture::new(header, Texels::Linear(bright.pixels().to_vec()));
+    let comparison = Comparison::of(&file_of(&bright), &expected);
+    assert!(
+        matches!(comparison.findings[..], [Finding::ClippedHighlights { share }] if share > 0.01),
+        "{:?}",
+        comparison.findings
+    );
+}
+
+#[test]
+fn every_laying_of_an_oblong_picture_is_named() {
+    let expected = subject("lesson", [0, 0]);
+    let (width, height) = (expected.width(), expected.height());
+    let clockwise = Raster::from_function(height, width, |x, y| expected.pixel(y, height - 1 - x));
+    assert_eq!(found(&clockwise, &expected), [ImageOperation::TurnClockwise.name()]);
+    let transposed = Raster::from_function(height, width, |x, y| expected.pixel(y, x));
+    assert_eq!(found(&transposed, &expected), [ImageOperation::Transpose.name()]);
+    let upside_down = Raster::from_function(width, height, |x, y| expected.pixel(x, height - 1 - y));
+    assert_eq!(found(&upside_down, &expected), [ImageOperation::FlipTopBottom.name()]);
+}
+
+#[test]
+fn reports() {
+    let expected = subject("lesson", [0, 0]);
+    let mine = no_gamma(&flipped(&expected));
+    let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));
+    let report = CompareReport { comparison: &comparison, metric: Metric::Flip, threshold: 0.05 };
+    insta::assert_snapshot!("flipped_text", report.to_string());
+    insta::assert_snapshot!("flipped_json", report.to_json());
+    let comparison = Comparison::of(&file_of(&expected), &file_of(&expected));
+    let report = CompareReport { comparison: &comparison, metric: Metric::Psnr, threshold: 28.0 };
+    insta::assert_snapshot!("identical_text", report.to_string());
+}
+
+fn skycube(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+#[test]
+fn the_command_draws_and_ends_by_the_threshold() {
+    let folder = tempfile::tempdir().unwrap();
+    let expected = subject("lesson", [0, 0]);
+    let write = |raster: &Raster, name: &str| {
+        skycube::picture::write(raster, &folder.path().join(name), &WriteOptions::default()).unwrap();
+    };
+    write(&expected, "expected.png");
+    write(&noisy(&expected, 0.01), "noisy.jpg");
+    write(&flipped(&expected), "flipped.exr");
+    let code = |arguments: &[&str]| skycube(folder.path(), arguments).status.code();
+    assert_eq!(code(&["compare", "expected.png", "expected.png"]), Some(0));
+    assert_eq!(code(&["compare", "noisy.jpg", "expected.png", "-o", "difference.png"]), Some(0));
+    assert_eq!(code(&["compare", "noisy.jpg", "expected.png", "--threshold", "0.0001"]), Some(1));
+    assert_eq!(code(&["compare", "flipped.exr", "expected.png"]), Some(1));
+    assert_eq!(code(&["compare", "flipped.exr", "expected.png", "--threshold", "1"]), Some(1));
+    for metric in ["flip", "rmse", "psnr", "ssim"] {
+        assert_eq!(code(&["compare", "noisy.jpg", "expected.png", "--metric", metric]), Some(0), "{metric}");
+        assert_eq!(code(&["compare", "flipped.exr", "expected.png", "--metric", metric]), Some(1), "{metric}");
+    }
+    let drawing = skycube::picture::read(&folder.path().join("difference.png")).unwrap();
+    assert!(drawing.width() > 3 * expected.width() && drawing.height() > expected.height());
+    let before = std::fs::read(folder.path().join("expected.png")).unwrap();
+    assert_eq!(code(&["compare", "noisy.jpg", "expected.png", "-o", "expected.png"]), Some(2));
+    assert_eq!(std::fs::read(folder.path().join("expected.png")).unwrap(), before);
+    assert_eq!(code(&["compare", "nowhere.png", "expected.png"]), Some(2));
+    assert_eq!(code(&["compare", "noisy.jpg", "expected.png", "-o", "difference.jpg"]), Some(2));
+    let output = skycube(folder.path(), &["compare", "flipped.exr", "expected.png", "--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!(report["findings"][0]["operation"], "flip left-right");
+}
