@@ -1,13 +1,21 @@
 //! Materials: what a surface does with light.
 
 mod colour_source;
+mod diffuse;
 pub mod fresnel;
 mod medium;
+mod phong;
+mod scattering;
+mod specular;
 
 pub use colour_source::{Checker, ColourSource, ImageTexture};
+pub use diffuse::{Diffuse, cosine_density, cosine_direction};
 pub use medium::{Medium, MediumStack};
+pub use phong::{Phong, phong_lobe};
+pub use scattering::{Evaluation, Scattering, ScatteringSample};
+pub use specular::{Mirror, SmoothBoundary};
 
-use crate::math::Vec3;
+use crate::math::{DVec2, Vec3};
 
 /// What a surface does with light. Reflectances are linear RGB in `[0, 1]`.
 #[derive(Debug, Clone)]
@@ -29,9 +37,40 @@ pub enum Material {
         /// Absorption coefficients of Beer-Lambert's law per unit of length: `transmittance = e^(-absorption * length)`.
         absorption: Vec3,
     },
+    /// A light source of its own: the same radiance in all directions on the front side, black behind. Reflects nothing.
+    Light {
+        /// Linear RGB, unbounded.
+        radiance: Vec3,
+    },
 }
 
 impl Material {
+    /// What the surface does with light at one place; `None` where it scatters none: debugging colours and pure lights.
+    ///
+    /// `relative_index` is the index of refraction on the viewer's side over that on the other; only glass asks for it.
+    #[inline]
+    pub fn scattering(&self, texture_coordinates: DVec2, relative_index: f64) -> Option<Scattering<'_>> {
+        match self {
+            Material::Normals | Material::TextureCoordinates | Material::Light { .. } => None,
+            Material::Lambert { colour } => {
+                Some(Scattering::Diffuse(Diffuse { colour: colour.at(texture_coordinates) }))
+            }
+            Material::Phong { diffuse, specular, exponent } => Some(Scattering::Phong(Phong {
+                diffuse: diffuse.at(texture_coordinates),
+                specular: *specular,
+                exponent: *exponent,
+            })),
+            Material::Mirror { colour } => Some(Scattering::Mirror(Mirror { colour: colour.at(texture_coordinates) })),
+            Material::Glass { .. } => Some(Scattering::SmoothGlass(SmoothBoundary { relative_index })),
+        }
+    }
+
+    /// Radiance sent out on the front side: the outside of closed shapes, the normal's side of flat ones.
+    #[inline]
+    pub fn emission(&self) -> Vec3 {
+        if let Material::Light { radiance } = self { *radiance } else { Vec3::ZERO }
+    }
+
     /// True if light passes through.
     pub fn transmits(&self) -> bool {
         matches!(self, Material::Glass { .. })
@@ -54,7 +93,7 @@ impl Material {
             Material::TextureCoordinates => true,
             Material::Lambert { colour } | Material::Mirror { colour } => varies(colour),
             Material::Phong { diffuse, .. } => varies(diffuse),
-            Material::Normals | Material::Glass { .. } => false,
+            Material::Normals | Material::Glass { .. } | Material::Light { .. } => false,
         }
     }
 

@@ -44,6 +44,7 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
         Phong,
         Mirror,
         Glass,
+        Light,
     }
     let kind = table.required("kind")?.choice(&[
         ("normals", Kind::Normals),
@@ -52,6 +53,7 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
         ("phong", Kind::Phong),
         ("mirror", Kind::Mirror),
         ("glass", Kind::Glass),
+        ("light", Kind::Light),
     ])?;
     let material = match kind {
         Kind::Normals => Material::Normals,
@@ -75,6 +77,7 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
             })?,
             absorption: table.optional("absorption").map_or(Ok(Vec3::ZERO), |value| value.colour())?,
         },
+        Kind::Light => Material::Light { radiance: table.required("radiance")?.colour()? },
     };
     table.finish()?;
     Ok(material)
