@@ -54,9 +54,11 @@ pub(super) fn local_radiance(
             let fraction = (place - place.floor()).as_vec2();
             return Vec3::new(fraction.x, fraction.y, 0.0);
         }
-        Material::Mirror { .. } | Material::Glass { .. } => return Vec3::ZERO,
+        Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => return Vec3::ZERO,
         Material::Light { radiance } => return if view.side == Side::Front { *radiance } else { Vec3::ZERO },
-        Material::Lambert { colour } => (colour.at(surface.texture_coordinates), None),
+        Material::Lambert { colour } | Material::Coated { colour, .. } => {
+            (colour.at(surface.texture_coordinates), None)
+        }
         Material::Phong { diffuse, specular, exponent } => {
             (diffuse.at(surface.texture_coordinates), Some((*specular, *exponent)))
         }

@@ -14,8 +14,11 @@
 //! 5.2). So transmission has no factor n^2: a furnace of radiance 1 is 1 inside of glass, too, and for directions a and b
 //! on sides with the indices n_a and n_b reciprocity reads `n_a^2 f(a, b) = n_b^2 f(b, a)`.
 
+use super::coated::Coated;
 use super::diffuse::Diffuse;
+use super::metal::Metal;
 use super::phong::Phong;
+use super::rough_glass::RoughBoundary;
 use super::specular::{Mirror, SmoothBoundary};
 use crate::math::{DVec3, Vec3};
 
@@ -26,8 +29,11 @@ pub enum Scattering<'a> {
     Phong(Phong),
     Mirror(Mirror),
     SmoothGlass(SmoothBoundary),
-    /// Place for lobes that borrow tables from their material.
-    Borrowed(std::marker::PhantomData<&'a ()>),
+    /// Glass with nothing to refract at: both sides have the same index.
+    Passing,
+    RoughGlass(RoughBoundary<'a>),
+    Metal(&'a Metal),
+    Coated(Coated<'a>),
 }
 
 /// What goes from one direction into another.
@@ -63,7 +69,11 @@ impl Scattering<'_> {
     /// True if there are delta lobes only: [`evaluate`](Self::evaluate) is always zero and sampling lights is pointless.
     #[inline]
     pub fn is_specular(&self) -> bool {
-        matches!(self, Self::Mirror(_) | Self::SmoothGlass(_))
+        match self {
+            Self::Mirror(_) | Self::SmoothGlass(_) | Self::Passing => true,
+            Self::Metal(metal) => metal.is_smooth(),
+            Self::Diffuse(_) | Self::Phong(_) | Self::RoughGlass(_) | Self::Coated(_) => false,
+        }
     }
 
     /// The share of light that goes from `light` to `view`, and the density of finding `light` by [`sample`](Self::sample).
@@ -72,7 +82,10 @@ impl Scattering<'_> {
         match self {
             Self::Diffuse(lobe) => lobe.evaluate(light),
             Self::Phong(lobe) => lobe.evaluate(view, light),
-            _ => Evaluation::NONE,
+            Self::RoughGlass(lobe) => lobe.evaluate(view, light),
+            Self::Metal(lobe) => lobe.evaluate(view, light),
+            Self::Coated(lobe) => lobe.evaluate(view, light),
+            Self::Mirror(_) | Self::SmoothGlass(_) | Self::Passing => Evaluation::NONE,
         }
     }
 
@@ -85,19 +98,23 @@ impl Scattering<'_> {
             Self::Phong(lobe) => lobe.sample(view, place, choice),
             Self::Mirror(lobe) => lobe.sample(view),
             Self::SmoothGlass(lobe) => lobe.sample(view, choice),
-            Self::Borrowed(_) => None,
+            Self::Passing => Some(ScatteringSample::passing(view)),
+            Self::RoughGlass(lobe) => lobe.sample(view, place, choice),
+            Self::Metal(lobe) => lobe.sample(view, place, choice),
+            Self::Coated(lobe) => lobe.sample(view, place, choice),
         }
     }
 
-    /// Share of the light that is reflected or transmitted, for pictures of the surface colour alone: exact for
-    /// diffuse, mirror and glass, at normal incidence for the others.
+    /// Share of the light that is reflected or transmitted, for pictures of the surface colour alone: over all directions,
+    /// but at normal incidence for Phong's highlight and for metals.
     pub fn albedo(&self) -> Vec3 {
         match self {
             Self::Diffuse(lobe) => lobe.colour,
             Self::Phong(lobe) => lobe.diffuse + lobe.specular,
             Self::Mirror(lobe) => lobe.colour,
-            Self::SmoothGlass(_) => Vec3::ONE,
-            Self::Borrowed(_) => Vec3::ZERO,
+            Self::SmoothGlass(_) | Self::Passing | Self::RoughGlass(_) => Vec3::ONE,
+            Self::Metal(lobe) => lobe.reflectance(1.0),
+            Self::Coated(lobe) => lobe.albedo(),
         }
     }
 }

@@ -42,6 +42,11 @@ impl SmoothBoundary {
 }
 
 impl ScatteringSample {
+    /// Straight on.
+    pub(super) fn passing(view: DVec3) -> Self {
+        Self { direction: -view, weight: Vec3::ONE, density: 1.0, specular: true, transmitted: true }
+    }
+
     /// Ideal reflection, chosen with a probability.
     pub(super) fn reflected_specularly(view: DVec3, weight: Vec3, probability: f64) -> Self {
         Self { direction: mirrored(view), weight, density: probability, specular: true, transmitted: false }
