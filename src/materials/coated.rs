@@ -6,7 +6,7 @@
 //! thrown back by the coat from inside again and again, which makes the colour c darker and more saturated:
 //! `c (1 - F) / (1 - c F)`, with F the average reflectance of the coat from inside (Saunderson 1942).
 
-use super::directional_table::DirectionalTable;
+use super::directional_table::{DirectionalTable, Facet};
 use super::fresnel::boundary;
 use super::microfacet::Microfacets;
 use super::quadrature::integral;
@@ -75,11 +75,12 @@ impl Coat {
 }
 
 /// Share of light that a visible microfacet reflects past all others.
-fn reflected_at_once(microfacets: &Microfacets, relative_index: f64, view: DVec3, normal: DVec3) -> f64 {
+fn reflected_at_once(microfacets: &Microfacets, relative_index: f64, view: DVec3, normal: DVec3) -> Facet {
     let cosine = view.dot(normal);
     let light = 2.0 * cosine * normal.z - view.z;
     let reflectance = boundary(cosine, relative_index).reflectance;
-    if light > 0.0 { reflectance * microfacets.unshadowed(view.z, light) } else { 0.0 }
+    let value = if light > 0.0 { reflectance * microfacets.unshadowed(view.z, light) } else { 0.0 };
+    Facet { value, kinks: [light, 1.0, 1.0] }
 }
 
 #[cfg(test)]
@@ -87,7 +88,7 @@ impl Coat {
     /// The table's error at a cosine.
     pub(super) fn table_error(&self, cosine: f64) -> f64 {
         let Some((microfacets, table)) = &self.roughness else { return 0.0 };
-        let exact = super::directional_table::fine_average(microfacets, cosine, |view, normal| {
+        let exact = super::directional_table::average_over_visible(microfacets, cosine, 1e-9, |view, normal| {
             reflected_at_once(microfacets, self.relative_index, view, normal)
         });
         table.at(cosine) - exact

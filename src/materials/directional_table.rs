@@ -1,17 +1,33 @@
 //! A quantity over the cosine of a direction with the normal, tabulated; and a lobe shaped by it.
 
+use rayon::prelude::*;
+
 use super::microfacet::Microfacets;
 use super::octaves::Octaves;
-use super::quadrature::GAUSS_LEGENDRE;
+use super::quadrature::{integral, short_integral};
 use crate::math::DVec3;
 use crate::math::functions::sin_cos_turns;
 
-/// Azimuths of the quadrature over visible normals, on half a circle: the other half mirrors it.
-const AZIMUTHS: usize = 32;
+/// Steps in which kinks are looked for.
+const SEARCH: usize = 16;
+/// Steps that make a piece of the integral at most.
+const PIECE: usize = 8;
+/// Change at which the quadrature over the azimuth is content: well below the error of the table between its nodes.
+const TOLERANCE: f64 = 3e-6;
+/// Kinds of kinks.
+const KINKS: usize = 3;
 /// Cells of a table at least.
 const CELLS: u32 = 256;
 
-/// A function of the cosine in `[0, 1]`, itself in `[0, 1]`, linear between nodes.
+/// What is averaged over microfacets.
+pub struct Facet {
+    /// The function itself.
+    pub value: f64,
+    /// Continuous quantities at whose zeros the function has kinks.
+    pub kinks: [f64; KINKS],
+}
+
+/// A function of the cosine in `[0, 1]`, itself in `[0, 1]`, linear in its square root between nodes.
 #[derive(Debug, Clone, PartialEq)]
 pub struct DirectionalTable {
     octaves: Octaves,
@@ -28,9 +44,11 @@ pub struct DirectionalTable {
 
 impl DirectionalTable {
     /// Tabulates a function of the cosine.
-    pub fn new(roughness: f64, function: impl Fn(f64) -> f64) -> Self {
+    pub fn new(roughness: f64, function: impl Fn(f64) -> f64 + Sync) -> Self {
         let octaves = Octaves::new(roughness, CELLS);
-        let values: Vec<f64> = (0..=octaves.count()).map(|cell| function(octaves.node(cell))).collect();
+        // Looking along the surface is a limit.
+        let value = |cell: usize| function(octaves.node(cell).max(1e-9 * roughness));
+        let values: Vec<f64> = (0..=octaves.count()).into_par_iter().map(value).collect();
         let masses: Vec<f64> = (0..octaves.count()).map(|cell| mass(&octaves, &values, cell)).collect();
         let average: f64 = masses.iter().sum();
         let inverse_average = if average > 0.0 { 1.0 / average } else { 0.0 };
@@ -51,8 +69,8 @@ impl DirectionalTable {
     }
 
     /// Tabulates the average of `function(view, normal)` over the microfacet normals visible from each view.
-    pub fn over_visible_normals(microfacets: &Microfacets, function: impl Fn(DVec3, DVec3) -> f64) -> Self {
-        Self::new(microfacets.alpha(), |cosine| average_over_visible(microfacets, cosine, &function))
+    pub fn over_visible_normals(microfacets: &Microfacets, function: impl Fn(DVec3, DVec3) -> Facet + Sync) -> Self {
+        Self::new(microfacets.alpha(), |cosine| average_over_visible(microfacets, cosine, TOLERANCE, &function))
     }
 
     /// The value at a cosine.
@@ -97,11 +115,16 @@ impl DirectionalTable {
     }
 }
 
-/// Integral of `2 mu` times the interpolant over a cell: Simpson's rule is exact for it.
+/// Integral of `2 mu` times the interpolant over a cell. With `w = sqrt(mu)`, in which the interpolant is linear, that is
+/// the integral of `4 w^3 (a + b w)`.
 fn mass(octaves: &Octaves, values: &[f64], cell: usize) -> f64 {
-    let (low, high) = (octaves.node(cell), octaves.node(cell + 1));
-    let middle = 0.5 * (low + high) * 2.0 * (values[cell] + values[cell + 1]);
-    (high - low) * (low * values[cell] + middle + high * values[cell + 1]) / 3.0
+    let (low, high) = (octaves.node(cell).sqrt(), octaves.node(cell + 1).sqrt());
+    let width = high - low;
+    // Written with the two values' own weights, so that nothing cancels: Gauss and Legendre's rule is exact here.
+    integral(|place| {
+        let w = low + width * place;
+        4.0 * w * w * w * (values[cell] + (values[cell + 1] - values[cell]) * place)
+    }) * width
 }
 
 /// Difference of the squared cosines at the ends of a cell.
@@ -110,32 +133,111 @@ fn square_width(octaves: &Octaves, cell: usize) -> f64 {
     (high - low) * (high + low)
 }
 
-/// Average over the normals visible from a view with the given cosine: Gauss and Legendre's rule over the height in
-/// the cap of visible normals, the midpoint rule, which converges fast for a periodic function, over the azimuth.
-fn average_over_visible(microfacets: &Microfacets, cosine: f64, function: &impl Fn(DVec3, DVec3) -> f64) -> f64 {
+/// Average over the normals visible from a view with the given cosine, which is more than 0.
+///
+/// In the space where the microfacets are a hemisphere, a normal at the angle theta from the stretched view s is visible
+/// with a density even in `q = sin^2 theta` and in the azimuth psi about s, as far as it is above the horizon. So psi
+/// outside, q inside up to the horizon: Gauss and Legendre's rule for both, piece by piece between the kinks.
+pub(super) fn average_over_visible(
+    microfacets: &Microfacets,
+    cosine: f64,
+    tolerance: f64,
+    function: impl Fn(DVec3, DVec3) -> Facet,
+) -> f64 {
     let view = DVec3::new(((1.0 - cosine) * (1.0 + cosine)).sqrt(), 0.0, cosine);
-    let mut sum = 0.0;
-    for azimuth in 0..AZIMUTHS {
-        let (sine, cosine) = sin_cos_turns((azimuth as f64 + 0.5) / (2 * AZIMUTHS) as f64);
-        for &(place, weight) in GAUSS_LEGENDRE.iter() {
-            sum += weight * function(view, microfacets.visible_normal_around(view, place, cosine, sine));
-        }
-    }
-    sum / AZIMUTHS as f64
+    let stretched = microfacets.stretched(view);
+    // The axis from which psi is counted: up from the stretched view.
+    let up = DVec3::new(-stretched.z, 0.0, stretched.x);
+    let at_azimuth = |turns: f64| {
+        let (sine, cosine) = sin_cos_turns(turns);
+        let axis = DVec3::new(up.x * cosine, sine, up.z * cosine);
+        let falling = stretched.x * cosine.min(0.0);
+        let height = stretched.z * stretched.z;
+        let horizon = height / (height + falling * falling);
+        let at = |place: f64| {
+            let square = place * horizon;
+            let normal = stretched * (1.0 - square).max(0.0).sqrt() + axis * square.sqrt();
+            function(view, microfacets.shrunk(normal))
+        };
+        horizon * integral_between_kinks(&at)
+    };
+    let sum = adaptive_integral(&at_azimuth, [0.0, 0.25], tolerance, 6)
+        + adaptive_integral(&at_azimuth, [0.25, 0.5], tolerance, 6);
+    4.0 * sum / (1.0 + stretched.z)
 }
 
-/// The same by the midpoint rule with many points, for tests.
-#[cfg(test)]
-pub(super) fn fine_average(microfacets: &Microfacets, cosine: f64, function: impl Fn(DVec3, DVec3) -> f64) -> f64 {
-    const ROWS: usize = 600;
-    let view = DVec3::new(((1.0 - cosine) * (1.0 + cosine)).sqrt(), 0.0, cosine);
-    let mut sum = 0.0;
-    for azimuth in 0..ROWS {
-        let (sine, cosine) = sin_cos_turns((azimuth as f64 + 0.5) / (2 * ROWS) as f64);
-        for row in 0..ROWS {
-            let place = (row as f64 + 0.5) / ROWS as f64;
-            sum += function(view, microfacets.visible_normal_around(view, place, cosine, sine));
-        }
+/// Integral over a range, halved until it no longer changes.
+fn adaptive_integral(function: &impl Fn(f64) -> f64, range: [f64; 2], tolerance: f64, depth: u32) -> f64 {
+    let rule = |low: f64, high: f64| (high - low) * short_integral(|t| function(low + (high - low) * t));
+    refined(&rule, range, rule(range[0], range[1]), tolerance, depth)
+}
+
+fn refined(rule: &impl Fn(f64, f64) -> f64, [low, high]: [f64; 2], whole: f64, tolerance: f64, depth: u32) -> f64 {
+    let middle = 0.5 * (low + high);
+    let halves = [rule(low, middle), rule(middle, high)];
+    let sum = halves[0] + halves[1];
+    if depth == 0 || (sum - whole).abs() < tolerance {
+        return sum;
     }
-    sum / (ROWS * ROWS) as f64
+    refined(rule, [low, middle], halves[0], tolerance, depth - 1)
+        + refined(rule, [middle, high], halves[1], tolerance, depth - 1)
+}
+
+/// Integral over `[0, 1]` of a function with kinks.
+fn integral_between_kinks(at: &impl Fn(f64) -> Facet) -> f64 {
+    let mut sum = 0.0;
+    let mut start = 0.0;
+    let (mut low, mut before) = (0.0, at(0.0).kinks);
+    for step in 1..=SEARCH {
+        let high = search_place(step);
+        let after = at(high).kinks;
+        let mut ends = [high; KINKS];
+        for kink in 0..KINKS {
+            if (before[kink] > 0.0) != (after[kink] > 0.0) {
+                ends[kink] = zero(&|place| at(place).kinks[kink], [low, high], [before[kink], after[kink]]);
+            }
+        }
+        ends.sort_by(f64::total_cmp);
+        for end in ends.into_iter().filter(|&end| end < high) {
+            sum += piece(at, start, end);
+            start = end;
+        }
+        if step % PIECE == 0 {
+            sum += piece(at, start, high);
+            start = high;
+        }
+        (low, before) = (high, after);
+    }
+    sum
+}
+
+/// Places in `[0, 1]` that crowd at both ends, where the microfacets are that face the view, and those hardly seen.
+fn search_place(step: usize) -> f64 {
+    let t = step as f64 / SEARCH as f64;
+    let (rising, falling) = (t * t * t * t, (1.0 - t) * (1.0 - t) * (1.0 - t) * (1.0 - t));
+    rising / (rising + falling)
+}
+
+/// Integral over a piece without kinks inside; points crowd at both ends, where square roots begin.
+fn piece(at: &impl Fn(f64) -> Facet, start: f64, end: f64) -> f64 {
+    let place = |t: f64| start + (end - start) * (t * t * (3.0 - 2.0 * t));
+    (end - start) * integral(|t| 6.0 * t * (1.0 - t) * at(place(t)).value)
+}
+
+/// A zero between two places with values of different sign (the Illinois variant of the false position).
+fn zero(function: &impl Fn(f64) -> f64, mut places: [f64; 2], mut values: [f64; 2]) -> f64 {
+    for _ in 0..10 {
+        let place = (places[0] * values[1] - places[1] * values[0]) / (values[1] - values[0]);
+        let value = function(place);
+        if value == 0.0 || !place.is_finite() {
+            return if place.is_finite() { place } else { places[0] };
+        }
+        if (value > 0.0) == (values[1] > 0.0) {
+            values[0] *= 0.5;
+        } else {
+            (places[0], values[0]) = (places[1], values[1]);
+        }
+        (places[1], values[1]) = (place, value);
+    }
+    places[1].clamp(0.0, 1.0)
 }

@@ -9,7 +9,7 @@
 use std::f64::consts::FRAC_1_PI;
 
 use super::conductor::MetalReflectance;
-use super::directional_table::DirectionalTable;
+use super::directional_table::{DirectionalTable, Facet};
 use super::microfacet::Microfacets;
 use super::scattering::{Evaluation, ScatteringSample};
 use crate::math::{DVec3, Vec3};
@@ -117,9 +117,10 @@ impl Roughness {
 }
 
 /// Share of light that a visible microfacet throws onto others.
-fn lost(microfacets: &Microfacets, view: DVec3, normal: DVec3) -> f64 {
+fn lost(microfacets: &Microfacets, view: DVec3, normal: DVec3) -> Facet {
     let light = 2.0 * view.dot(normal) * normal.z - view.z;
-    if light > 0.0 { microfacets.shadowed(view.z, light) } else { 1.0 }
+    let value = if light > 0.0 { microfacets.shadowed(view.z, light) } else { 1.0 };
+    Facet { value, kinks: [light, 1.0, 1.0] }
 }
 
 #[cfg(test)]
@@ -127,8 +128,9 @@ impl Metal {
     /// The table's error at a cosine.
     pub(super) fn table_error(&self, cosine: f64) -> f64 {
         let Some(Roughness { microfacets, lost: table, .. }) = &self.roughness else { return 0.0 };
-        let exact =
-            super::directional_table::fine_average(microfacets, cosine, |view, normal| lost(microfacets, view, normal));
+        let exact = super::directional_table::average_over_visible(microfacets, cosine, 1e-9, |view, normal| {
+            lost(microfacets, view, normal)
+        });
         table.at(cosine) - exact
     }
 }

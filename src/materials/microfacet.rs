@@ -79,20 +79,24 @@ impl Microfacets {
     /// (Dupuy and Benyoub, Sampling Visible GGX Normals with Spherical Caps, HPG 2023).
     #[inline]
     pub fn visible_normal(&self, view: DVec3, place: [f64; 2]) -> DVec3 {
+        let stretched = self.stretched(view);
         let (sine, cosine) = sin_cos_turns(place[1]);
-        self.visible_normal_around(view, place[0], cosine, sine)
-    }
-
-    /// The same for a place and the cosine and sine of an azimuth.
-    #[inline]
-    pub fn visible_normal_around(&self, view: DVec3, place: f64, cosine: f64, sine: f64) -> DVec3 {
-        // Stretched until the surface is a hemisphere, where the visible normals are those of a cap around the view.
-        let stretched = DVec3::new(self.alpha * view.x, self.alpha * view.y, view.z).normalize();
-        let depth = place * (1.0 + stretched.z);
+        let depth = place[0] * (1.0 + stretched.z);
         let height = 1.0 - depth;
         let radius = (depth * (1.0 + height)).max(0.0).sqrt();
-        let half = stretched + DVec3::new(radius * cosine, radius * sine, height);
-        let normal = DVec3::new(self.alpha * half.x, self.alpha * half.y, half.z.max(0.0));
+        self.shrunk(stretched + DVec3::new(radius * cosine, radius * sine, height))
+    }
+
+    /// A view in the space where the microfacets are those of a hemisphere.
+    #[inline]
+    pub fn stretched(&self, view: DVec3) -> DVec3 {
+        DVec3::new(self.alpha * view.x, self.alpha * view.y, view.z).normalize()
+    }
+
+    /// The unit normal of a microfacet from that of the hemisphere, which need not have length 1.
+    #[inline]
+    pub fn shrunk(&self, normal: DVec3) -> DVec3 {
+        let normal = DVec3::new(self.alpha * normal.x, self.alpha * normal.y, normal.z.max(0.0));
         let length_squared = normal.length_squared();
         if length_squared > 0.0 { normal / length_squared.sqrt() } else { DVec3::Z }
     }

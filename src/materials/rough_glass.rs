@@ -15,7 +15,7 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use super::directional_table::DirectionalTable;
+use super::directional_table::{DirectionalTable, Facet};
 use super::fresnel::boundary;
 use super::microfacet::Microfacets;
 use super::quadrature::integral;
@@ -99,17 +99,17 @@ fn pair(microfacets: &Microfacets, ratios: [f64; 2]) -> [Side; 2] {
 }
 
 /// Share of light that a visible microfacet throws onto others, on both sides together.
-fn lost(microfacets: &Microfacets, relative_index: f64, view: DVec3, normal: DVec3) -> f64 {
+fn lost(microfacets: &Microfacets, relative_index: f64, view: DVec3, normal: DVec3) -> Facet {
     let cosine = view.dot(normal);
-    let boundary = boundary(cosine, relative_index);
     let reflected = 2.0 * cosine * normal.z - view.z;
     let shadowed = |light: f64| if light > 0.0 { microfacets.shadowed(view.z, light) } else { 1.0 };
-    let mut lost = boundary.reflectance * shadowed(reflected);
-    if let Some(cos_transmitted) = boundary.cos_transmitted {
-        let depth = relative_index * view.z - (relative_index * cosine - cos_transmitted) * normal.z;
-        lost += (1.0 - boundary.reflectance) * shadowed(depth);
-    }
-    lost
+    // The square of the refracted cosine; below 0 reflection is total.
+    let r = relative_index;
+    let square = cosine * cosine * r * r + (1.0 - r) * (1.0 + r);
+    let depth = r * view.z - (r * cosine - square.max(0.0).sqrt()) * normal.z;
+    let reflectance = boundary(cosine, r).reflectance;
+    let value = reflectance * shadowed(reflected) + (1.0 - reflectance) * shadowed(depth);
+    Facet { value, kinks: [reflected, depth, square] }
 }
 
 #[cfg(test)]
@@ -117,7 +117,7 @@ impl RoughGlass {
     /// The table's error on a side at a cosine.
     pub(super) fn table_error(&self, side: usize, cosine: f64) -> f64 {
         let Side { relative_index, lost: table, .. } = &self.sides[side];
-        let exact = super::directional_table::fine_average(&self.microfacets, cosine, |view, normal| {
+        let exact = super::directional_table::average_over_visible(&self.microfacets, cosine, 1e-9, |view, normal| {
             lost(&self.microfacets, *relative_index, view, normal)
         });
         table.at(cosine) - exact
