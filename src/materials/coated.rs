@@ -6,11 +6,12 @@
 //! thrown back by the coat from inside again and again, which makes the colour c darker and more saturated:
 //! `c (1 - F) / (1 - c F)`, with F the average reflectance of the coat from inside (Saunderson 1942).
 
-use super::directional_table::{DirectionalTable, Facet};
+use super::directional_table::DirectionalTable;
 use super::fresnel::boundary;
 use super::microfacet::Microfacets;
 use super::quadrature::integral;
 use super::scattering::{Evaluation, ScatteringSample};
+use super::visible_average::Facet;
 use super::{cosine_density, cosine_direction};
 use crate::colour::luminance;
 use crate::math::{DVec3, Vec3};
@@ -44,7 +45,7 @@ impl Coat {
         let roughness = (roughness > 0.0).then(|| {
             let microfacets = Microfacets::new(roughness);
             let reflected = |view, normal| reflected_at_once(&microfacets, relative_index, view, normal);
-            (microfacets, DirectionalTable::over_visible_normals(&microfacets, reflected))
+            (microfacets, DirectionalTable::over_visible_normals(&microfacets, None, reflected))
         });
         let average = roughness.as_ref().map_or(outer, |(_, reflected)| reflected.average());
         // The same light passes in both directions: n^2 (1 - F_inside) = 1 - F_outside.
@@ -88,7 +89,7 @@ impl Coat {
     /// The table's error at a cosine.
     pub(super) fn table_error(&self, cosine: f64) -> f64 {
         let Some((microfacets, table)) = &self.roughness else { return 0.0 };
-        let exact = super::directional_table::average_over_visible(microfacets, cosine, 1e-9, |view, normal| {
+        let exact = super::visible_average::average_over_visible(microfacets, cosine, 1e-9, |view, normal| {
             reflected_at_once(microfacets, self.relative_index, view, normal)
         });
         table.at(cosine) - exact

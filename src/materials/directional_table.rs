@@ -4,28 +4,19 @@ use rayon::prelude::*;
 
 use super::microfacet::Microfacets;
 use super::octaves::Octaves;
-use super::quadrature::{integral, short_integral};
+use super::quadrature::integral;
+use super::visible_average::{Facet, average_over_visible};
 use crate::math::DVec3;
 use crate::math::functions::sin_cos_turns;
 
-/// Steps in which kinks are looked for.
-const SEARCH: usize = 16;
-/// Steps that make a piece of the integral at most.
-const PIECE: usize = 8;
 /// Change at which the quadrature over the azimuth is content: well below the error of the table between its nodes.
-const TOLERANCE: f64 = 3e-6;
-/// Kinds of kinks.
-const KINKS: usize = 3;
+const TOLERANCE: f64 = 1e-6;
 /// Cells of a table at least.
-const CELLS: u32 = 256;
-
-/// What is averaged over microfacets.
-pub struct Facet {
-    /// The function itself.
-    pub value: f64,
-    /// Continuous quantities at whose zeros the function has kinks.
-    pub kinks: [f64; KINKS],
-}
+const CELLS: u32 = 1024;
+/// Nodes a step in which the table is first computed.
+const STRIDE: usize = 16;
+/// What a quadratic may miss in the middle between computed nodes for a cubic to be good enough.
+const PREDICTED: f64 = 5e-5;
 
 /// A function of the cosine in `[0, 1]`, itself in `[0, 1]`, linear in its square root between nodes.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,12 +34,12 @@ pub struct DirectionalTable {
 }
 
 impl DirectionalTable {
-    /// Tabulates a function of the cosine.
-    pub fn new(roughness: f64, function: impl Fn(f64) -> f64 + Sync) -> Self {
+    /// Tabulates a function of the cosine; `bump` as below.
+    fn new(roughness: f64, bump: Option<[f64; 2]>, function: impl Fn(f64) -> f64 + Sync) -> Self {
         let octaves = Octaves::new(roughness, CELLS);
         // Looking along the surface is a limit.
-        let value = |cell: usize| function(octaves.node(cell).max(1e-9 * roughness));
-        let values: Vec<f64> = (0..=octaves.count()).into_par_iter().map(value).collect();
+        let value = |node: usize| function(octaves.node(node).max(1e-9 * roughness));
+        let values = node_values(&octaves, bump, &value);
         let masses: Vec<f64> = (0..octaves.count()).map(|cell| mass(&octaves, &values, cell)).collect();
         let average: f64 = masses.iter().sum();
         let inverse_average = if average > 0.0 { 1.0 / average } else { 0.0 };
@@ -68,9 +59,14 @@ impl DirectionalTable {
         Self { octaves, values, average, inverse_average, cumulative, level }
     }
 
-    /// Tabulates the average of `function(view, normal)` over the microfacet normals visible from each view.
-    pub fn over_visible_normals(microfacets: &Microfacets, function: impl Fn(DVec3, DVec3) -> Facet + Sync) -> Self {
-        Self::new(microfacets.alpha(), |cosine| average_over_visible(microfacets, cosine, TOLERANCE, &function))
+    /// Tabulates the average of `function(view, normal)` over the microfacet normals visible from each view. A narrow
+    /// feature in the range of cosines `bump` is not missed.
+    pub fn over_visible_normals(
+        microfacets: &Microfacets,
+        bump: Option<[f64; 2]>,
+        function: impl Fn(DVec3, DVec3) -> Facet + Sync,
+    ) -> Self {
+        Self::new(microfacets.alpha(), bump, |cosine| average_over_visible(microfacets, cosine, TOLERANCE, &function))
     }
 
     /// The value at a cosine.
@@ -115,6 +111,66 @@ impl DirectionalTable {
     }
 }
 
+/// Values at all nodes: computed where the function bends, and between them from a cubic through computed ones where that
+/// predicts the middle. In the range of cosines `bump` all are computed.
+fn node_values(octaves: &Octaves, bump: Option<[f64; 2]>, value: &(impl Fn(usize) -> f64 + Sync)) -> Vec<f64> {
+    let coarse: Vec<f64> = (0..=octaves.count() / STRIDE).into_par_iter().map(|node| value(node * STRIDE)).collect();
+    let fill = |interval: usize| {
+        let mut values = [0.0; STRIDE + 1];
+        (values[0], values[STRIDE]) = (coarse[interval], coarse[interval + 1]);
+        let first = interval * STRIDE;
+        let neighbour = if interval > 0 { interval - 1 } else { interval + 2 };
+        let outer = (octaves.node(neighbour * STRIDE).sqrt(), coarse[neighbour]);
+        let range = [octaves.node(first), octaves.node(first + STRIDE)];
+        if bump.is_some_and(|bump| range[0] < bump[1] && bump[0] < range[1]) {
+            (1..STRIDE).for_each(|node| values[node] = value(first + node));
+        } else {
+            refine(octaves, value, first, [0, STRIDE], outer, &mut values);
+        }
+        values
+    };
+    let filled: Vec<_> = (0..octaves.count() / STRIDE).into_par_iter().map(fill).collect();
+    filled.iter().flat_map(|values| &values[..STRIDE]).chain(coarse.last()).copied().collect()
+}
+
+/// Fills the nodes between two, counted from `first`; `outer` is a node further out and its value.
+fn refine(
+    octaves: &Octaves,
+    value: &impl Fn(usize) -> f64,
+    first: usize,
+    [low, high]: [usize; 2],
+    outer: (f64, f64),
+    values: &mut [f64; STRIDE + 1],
+) {
+    if high - low < 2 {
+        return;
+    }
+    let at = |node: usize| octaves.node(first + node).sqrt();
+    let middle = (low + high) / 2;
+    values[middle] = value(first + middle);
+    let known = [outer, (at(low), values[low]), (at(high), values[high])];
+    if (polynomial(&known, at(middle)) - values[middle]).abs() < PREDICTED {
+        let known = [known[0], known[1], (at(middle), values[middle]), known[2]];
+        for node in (low + 1..high).filter(|&node| node != middle) {
+            values[node] = polynomial(&known, at(node));
+        }
+        return;
+    }
+    let outer = (at(high), values[high]);
+    refine(octaves, value, first, [low, middle], outer, values);
+    let outer = (at(low), values[low]);
+    refine(octaves, value, first, [middle, high], outer, values);
+}
+
+/// Lagrange's polynomial through points, at a place.
+fn polynomial(points: &[(f64, f64)], place: f64) -> f64 {
+    let weight = |own: usize| -> f64 {
+        let others = points.iter().enumerate().filter(|&(other, _)| other != own);
+        others.map(|(_, &(x, _))| (place - x) / (points[own].0 - x)).product()
+    };
+    points.iter().enumerate().map(|(number, &(_, value))| value * weight(number)).sum()
+}
+
 /// Integral of `2 mu` times the interpolant over a cell. With `w = sqrt(mu)`, in which the interpolant is linear, that is
 /// the integral of `4 w^3 (a + b w)`.
 fn mass(octaves: &Octaves, values: &[f64], cell: usize) -> f64 {
@@ -131,113 +187,4 @@ fn mass(octaves: &Octaves, values: &[f64], cell: usize) -> f64 {
 fn square_width(octaves: &Octaves, cell: usize) -> f64 {
     let (low, high) = (octaves.node(cell), octaves.node(cell + 1));
     (high - low) * (high + low)
-}
-
-/// Average over the normals visible from a view with the given cosine, which is more than 0.
-///
-/// In the space where the microfacets are a hemisphere, a normal at the angle theta from the stretched view s is visible
-/// with a density even in `q = sin^2 theta` and in the azimuth psi about s, as far as it is above the horizon. So psi
-/// outside, q inside up to the horizon: Gauss and Legendre's rule for both, piece by piece between the kinks.
-pub(super) fn average_over_visible(
-    microfacets: &Microfacets,
-    cosine: f64,
-    tolerance: f64,
-    function: impl Fn(DVec3, DVec3) -> Facet,
-) -> f64 {
-    let view = DVec3::new(((1.0 - cosine) * (1.0 + cosine)).sqrt(), 0.0, cosine);
-    let stretched = microfacets.stretched(view);
-    // The axis from which psi is counted: up from the stretched view.
-    let up = DVec3::new(-stretched.z, 0.0, stretched.x);
-    let at_azimuth = |turns: f64| {
-        let (sine, cosine) = sin_cos_turns(turns);
-        let axis = DVec3::new(up.x * cosine, sine, up.z * cosine);
-        let falling = stretched.x * cosine.min(0.0);
-        let height = stretched.z * stretched.z;
-        let horizon = height / (height + falling * falling);
-        let at = |place: f64| {
-            let square = place * horizon;
-            let normal = stretched * (1.0 - square).max(0.0).sqrt() + axis * square.sqrt();
-            function(view, microfacets.shrunk(normal))
-        };
-        horizon * integral_between_kinks(&at)
-    };
-    let sum = adaptive_integral(&at_azimuth, [0.0, 0.25], tolerance, 6)
-        + adaptive_integral(&at_azimuth, [0.25, 0.5], tolerance, 6);
-    4.0 * sum / (1.0 + stretched.z)
-}
-
-/// Integral over a range, halved until it no longer changes.
-fn adaptive_integral(function: &impl Fn(f64) -> f64, range: [f64; 2], tolerance: f64, depth: u32) -> f64 {
-    let rule = |low: f64, high: f64| (high - low) * short_integral(|t| function(low + (high - low) * t));
-    refined(&rule, range, rule(range[0], range[1]), tolerance, depth)
-}
-
-fn refined(rule: &impl Fn(f64, f64) -> f64, [low, high]: [f64; 2], whole: f64, tolerance: f64, depth: u32) -> f64 {
-    let middle = 0.5 * (low + high);
-    let halves = [rule(low, middle), rule(middle, high)];
-    let sum = halves[0] + halves[1];
-    if depth == 0 || (sum - whole).abs() < tolerance {
-        return sum;
-    }
-    refined(rule, [low, middle], halves[0], tolerance, depth - 1)
-        + refined(rule, [middle, high], halves[1], tolerance, depth - 1)
-}
-
-/// Integral over `[0, 1]` of a function with kinks.
-fn integral_between_kinks(at: &impl Fn(f64) -> Facet) -> f64 {
-    let mut sum = 0.0;
-    let mut start = 0.0;
-    let (mut low, mut before) = (0.0, at(0.0).kinks);
-    for step in 1..=SEARCH {
-        let high = search_place(step);
-        let after = at(high).kinks;
-        let mut ends = [high; KINKS];
-        for kink in 0..KINKS {
-            if (before[kink] > 0.0) != (after[kink] > 0.0) {
-                ends[kink] = zero(&|place| at(place).kinks[kink], [low, high], [before[kink], after[kink]]);
-            }
-        }
-        ends.sort_by(f64::total_cmp);
-        for end in ends.into_iter().filter(|&end| end < high) {
-            sum += piece(at, start, end);
-            start = end;
-        }
-        if step % PIECE == 0 {
-            sum += piece(at, start, high);
-            start = high;
-        }
-        (low, before) = (high, after);
-    }
-    sum
-}
-
-/// Places in `[0, 1]` that crowd at both ends, where the microfacets are that face the view, and those hardly seen.
-fn search_place(step: usize) -> f64 {
-    let t = step as f64 / SEARCH as f64;
-    let (rising, falling) = (t * t * t * t, (1.0 - t) * (1.0 - t) * (1.0 - t) * (1.0 - t));
-    rising / (rising + falling)
-}
-
-/// Integral over a piece without kinks inside; points crowd at both ends, where square roots begin.
-fn piece(at: &impl Fn(f64) -> Facet, start: f64, end: f64) -> f64 {
-    let place = |t: f64| start + (end - start) * (t * t * (3.0 - 2.0 * t));
-    (end - start) * integral(|t| 6.0 * t * (1.0 - t) * at(place(t)).value)
-}
-
-/// A zero between two places with values of different sign (the Illinois variant of the false position).
-fn zero(function: &impl Fn(f64) -> f64, mut places: [f64; 2], mut values: [f64; 2]) -> f64 {
-    for _ in 0..10 {
-        let place = (places[0] * values[1] - places[1] * values[0]) / (values[1] - values[0]);
-        let value = function(place);
-        if value == 0.0 || !place.is_finite() {
-            return if place.is_finite() { place } else { places[0] };
-        }
-        if (value > 0.0) == (values[1] > 0.0) {
-            values[0] *= 0.5;
-        } else {
-            (places[0], values[0]) = (places[1], values[1]);
-        }
-        (places[1], values[1]) = (place, value);
-    }
-    places[1].clamp(0.0, 1.0)
 }

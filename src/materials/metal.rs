@@ -9,9 +9,10 @@
 use std::f64::consts::FRAC_1_PI;
 
 use super::conductor::MetalReflectance;
-use super::directional_table::{DirectionalTable, Facet};
+use super::directional_table::DirectionalTable;
 use super::microfacet::Microfacets;
 use super::scattering::{Evaluation, ScatteringSample};
+use super::visible_average::Facet;
 use crate::math::{DVec3, Vec3};
 
 /// A metal surface with what its scattering function needs, computed once.
@@ -109,7 +110,7 @@ impl Roughness {
     fn new(reflectance: &MetalReflectance, alpha: f64) -> Self {
         let microfacets = Microfacets::new(alpha);
         let lost =
-            DirectionalTable::over_visible_normals(&microfacets, |view, normal| lost(&microfacets, view, normal));
+            DirectionalTable::over_visible_normals(&microfacets, None, |view, normal| lost(&microfacets, view, normal));
         let (average, lost_average) = (reflectance.average(), lost.average() as f32);
         let regained = average * average * (1.0 - lost_average) / (1.0 - average * lost_average);
         Self { microfacets, lost, regained }
@@ -128,7 +129,7 @@ impl Metal {
     /// The table's error at a cosine.
     pub(super) fn table_error(&self, cosine: f64) -> f64 {
         let Some(Roughness { microfacets, lost: table, .. }) = &self.roughness else { return 0.0 };
-        let exact = super::directional_table::average_over_visible(microfacets, cosine, 1e-9, |view, normal| {
+        let exact = super::visible_average::average_over_visible(microfacets, cosine, 1e-9, |view, normal| {
             lost(microfacets, view, normal)
         });
         table.at(cosine) - exact

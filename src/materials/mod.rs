@@ -15,6 +15,7 @@ mod quadrature;
 mod rough_glass;
 mod scattering;
 mod specular;
+mod visible_average;
 
 pub use coated::{Coat, Coated};
 pub use colour_source::{Checker, ColourSource, ImageTexture};

@@ -15,11 +15,12 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use super::directional_table::{DirectionalTable, Facet};
+use super::directional_table::DirectionalTable;
 use super::fresnel::boundary;
 use super::microfacet::Microfacets;
 use super::quadrature::integral;
 use super::scattering::{Evaluation, ScatteringSample};
+use super::visible_average::Facet;
 use crate::math::{DVec3, Vec3};
 
 /// A rough surface of glass, with tables for every medium it is known to meet.
@@ -81,7 +82,10 @@ impl RoughGlass {
 /// The tables of a boundary from both sides.
 fn pair(microfacets: &Microfacets, ratios: [f64; 2]) -> [Side; 2] {
     let lost = ratios.map(|ratio| {
-        DirectionalTable::over_visible_normals(microfacets, |view, normal| lost(microfacets, ratio, view, normal))
+        // About the critical angle refracted light grazes the surface, the more suddenly the smoother it is.
+        let (critical, width) = ((1.0 - 1.0 / (ratio * ratio)).max(0.0).sqrt(), 3.0 * microfacets.alpha());
+        let bump = (ratio > 1.0 && width < 0.1).then_some([critical - width, critical + width]);
+        DirectionalTable::over_visible_normals(microfacets, bump, |view, normal| lost(microfacets, ratio, view, normal))
     });
     let rarer = ratios[0].min(ratios[1]);
     let transmittance = integral(|mu| 2.0 * mu * (1.0 - boundary(mu, rarer).reflectance));
@@ -117,7 +121,7 @@ impl RoughGlass {
     /// The table's error on a side at a cosine.
     pub(super) fn table_error(&self, side: usize, cosine: f64) -> f64 {
         let Side { relative_index, lost: table, .. } = &self.sides[side];
-        let exact = super::directional_table::average_over_visible(&self.microfacets, cosine, 1e-9, |view, normal| {
+        let exact = super::visible_average::average_over_visible(&self.microfacets, cosine, 1e-9, |view, normal| {
             lost(&self.microfacets, *relative_index, view, normal)
         });
         table.at(cosine) - exact
