@@ -10,7 +10,7 @@ use crate::math::DVec3;
 use crate::math::functions::sin_cos_turns;
 
 /// Change at which the quadrature over the azimuth is content: well below the error of the table between its nodes.
-const TOLERANCE: f64 = 1e-6;
+const TOLERANCE: f64 = 2e-6;
 /// Cells of a table at least.
 const CELLS: u32 = 1024;
 /// Nodes a step in which the table is first computed.

@@ -1,14 +1,14 @@
 //! Averages over the microfacets that are visible from a direction, by quadrature.
 
 use super::microfacet::Microfacets;
-use super::quadrature::{integral, short_integral};
+use super::quadrature::short_integral;
 use crate::math::DVec3;
 use crate::math::functions::sin_cos_turns;
 
 /// Steps in which kinks are looked for.
-const SEARCH: usize = 16;
+const SEARCH: usize = 12;
 /// Steps that make a piece of the integral at most.
-const PIECE: usize = 8;
+const PIECE: usize = 4;
 /// Kinds of kinks.
 const KINKS: usize = 3;
 
@@ -112,7 +112,7 @@ fn search_place(step: usize) -> f64 {
 /// Integral over a piece without kinks inside; points crowd at both ends, where square roots begin.
 fn piece(at: &impl Fn(f64) -> Facet, start: f64, end: f64) -> f64 {
     let place = |t: f64| start + (end - start) * (t * t * (3.0 - 2.0 * t));
-    (end - start) * integral(|t| 6.0 * t * (1.0 - t) * at(place(t)).value)
+    (end - start) * short_integral(|t| 6.0 * t * (1.0 - t) * at(place(t)).value)
 }
 
 /// A zero between two places with values of different sign (the Illinois variant of the false position).

@@ -1,6 +1,9 @@
 //! Nothing is lost and nothing is gained: under light from everywhere a surface that absorbs nothing cannot be seen.
 
-use skycube::materials::Scattering;
+use std::sync::Arc;
+
+use skycube::materials::{Material, RoughGlass, Scattering};
+use skycube::math::Vec3;
 
 use crate::random::Random;
 use crate::subjects::{ROUGHNESSES, glass, lambert, phong, scattering, view, white_coated, white_metal};
@@ -69,6 +72,19 @@ fn white_furnace_of_glass_from_both_sides() {
             let glass = glass(index, roughness);
             check(&format!("index {index} {roughness} from outside"), &scattering(&glass, 1.0 / index));
             check(&format!("index {index} {roughness} from inside"), &scattering(&glass, index));
+        }
+    }
+}
+
+/// Two tables a medium that the glass meets; from 1.5 straight to 1.33, water, a table of vacuum would lose some.
+#[test]
+fn white_furnace_of_nested_glass() {
+    for roughness in [0.1, 1.0] {
+        let mut surface = RoughGlass::new(1.5, roughness);
+        surface.meet(1.5, 1.33);
+        let glass = Material::Glass { index: 1.5, absorption: Vec3::ZERO, rough: Some(Arc::new(surface)) };
+        for relative_index in [1.0 / 1.5, 1.5, 1.33 / 1.5, 1.5 / 1.33] {
+            check(&format!("nested {roughness}, {relative_index}"), &scattering(&glass, relative_index));
         }
     }
 }

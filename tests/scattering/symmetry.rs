@@ -66,7 +66,7 @@ fn transmission_is_reciprocal_with_the_squares_of_the_indices() {
     }
 }
 
-/// Share of transmitted samples, and their mean direction.
+/// The same random numbers lead the same way, but for a few whose choice falls close to the reflectance.
 #[test]
 fn slight_roughness_agrees_with_none() {
     let mut random = Random(3);
