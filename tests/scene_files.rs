@@ -89,6 +89,63 @@ fn wrong_values_say_what_was_expected() {
     ");
 }
 
+/// The error for a material given by its keys.
+fn material_error(keys: &str) -> String {
+    error(&format!("[materials.ball]\n{keys}\n"))
+}
+
+#[test]
+fn roughness_is_smooth_or_in_range() {
+    for keys in ["kind = \"metal\"\nmetal = \"gold\"", "kind = \"glass\"", "kind = \"coated\"\ncolour = 0.5"] {
+        let text = material_error(&format!("{keys}\nroughness = 0.00001"));
+        assert!(text.contains("materials.ball.roughness: found 0.00001\n  expected: 0 for smooth"), "{text}");
+    }
+    insta::assert_snapshot!(material_error("kind = \"glass\"\nroughness = 1.5"), @r"
+    scene.toml:6: materials.ball.roughness: found 1.5
+      expected: 0 for smooth, or a roughness from 0.0001 to 1
+    ");
+}
+
+#[test]
+fn a_metal_is_described_in_one_way() {
+    insta::assert_snapshot!(material_error("kind = \"metal\"\nmetal = \"gold\"\nreflectance = 1"), @r#"
+    scene.toml:4: materials.ball: no single description of the metal
+      expected: either "metal", or "index" and "extinction", or "reflectance"
+    "#);
+    insta::assert_snapshot!(material_error("kind = \"metal\"\nindex = [1, 1, 1]"), @r#"scene.toml:4: materials.ball: the key "extinction" is missing"#);
+    insta::assert_snapshot!(material_error("kind = \"metal\"\nmetal = \"tin\""), @r#"
+    scene.toml:6: materials.ball.metal: found "tin"
+      expected: one of gold, silver, copper, aluminium, iron, chromium
+    "#);
+    insta::assert_snapshot!(material_error("kind = \"metal\"\nmetal = \"gold\"\nextinction = 1"), @r"
+    scene.toml:7: materials.ball.extinction: unknown key
+      expected: one of index, kind, metal, reflectance, roughness
+    ");
+}
+
+#[test]
+fn a_surface_reflects_no_more_than_arrives() {
+    insta::assert_snapshot!(material_error("kind = \"phong\"\ndiffuse = { checker = [0.2, 0.8] }\nspecular = 0.3"), @r"
+    scene.toml:7: materials.ball.specular: diffuse and specular together reflect more light than arrives
+      expected: sums of at most 1 in every channel
+    ");
+    insta::assert_snapshot!(material_error("kind = \"coated\"\ncolour = 0.5\nindex = 0.9"), @r"
+    scene.toml:7: materials.ball.index: found 0.9
+      expected: an index of refraction, from 1 to 100
+    ");
+}
+
+#[test]
+fn lights_among_the_materials_shine() {
+    let scene = |text: &str| {
+        let text = format!("camera = {{ position = [0, -5, 1], target = [0, 0, 0] }}\n[materials]\n{text}");
+        Scene::from_text(&text, Path::new("scene.toml")).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let materials = scene("lamp = { kind = \"light\", radiance = [30, 20, 10] }").materials;
+    assert_eq!(materials[0].emission(), skycube::math::Vec3::new(30.0, 20.0, 10.0));
+    assert!(materials[0].scattering(Default::default(), 1.0).is_none());
+}
+
 #[test]
 fn names_that_do_not_exist_are_errors() {
     insta::assert_snapshot!(error("[materials.red]\nkind = \"normals\"\n[[shapes]]\nkind = \"plane\"\nmaterial = \"blue\"\n"), @r#"

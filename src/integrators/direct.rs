@@ -5,8 +5,8 @@ use std::f32::consts::PI;
 use super::RayCounts;
 use super::normals;
 use crate::lights::Light;
-use crate::materials::Material;
 use crate::materials::fresnel::reflect;
+use crate::materials::{Material, phong_lobe};
 use crate::math::{DVec3, Departure, Ray, Side, Vec3};
 use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
@@ -54,8 +54,11 @@ pub(super) fn local_radiance(
             let fraction = (place - place.floor()).as_vec2();
             return Vec3::new(fraction.x, fraction.y, 0.0);
         }
-        Material::Mirror { .. } | Material::Glass { .. } => return Vec3::ZERO,
-        Material::Lambert { colour } => (colour.at(surface.texture_coordinates), None),
+        Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => return Vec3::ZERO,
+        Material::Light { radiance } => return if view.side == Side::Front { *radiance } else { Vec3::ZERO },
+        Material::Lambert { colour } | Material::Coated { colour, .. } => {
+            (colour.at(surface.texture_coordinates), None)
+        }
         Material::Phong { diffuse, specular, exponent } => {
             (diffuse.at(surface.texture_coordinates), Some((*specular, *exponent)))
         }
@@ -91,13 +94,4 @@ pub(super) fn local_radiance(
         radiance += reflectance * arriving.irradiance * cosine as f32;
     }
     radiance
-}
-
-/// The Phong lobe, normalised so that it never reflects more than arrives: `(n + 2) / (2 pi) cos^n`
-/// (Lafortune and Willems, Using the Modified Phong Reflectance Model, 1994).
-fn phong_lobe(cosine: f32, exponent: f32) -> f32 {
-    if cosine <= 0.0 {
-        return 0.0;
-    }
-    (exponent + 2.0) / (2.0 * PI) * crate::math::functions::power(cosine, exponent)
 }

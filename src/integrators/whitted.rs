@@ -171,7 +171,7 @@ impl Tracer<'_> {
     /// Index and absorption of a glass.
     fn glass_of(&self, medium: Option<Medium>) -> Option<(f64, Vec3)> {
         match &self.scene.materials[medium?.material as usize] {
-            Material::Glass { index, absorption } => Some((*index, *absorption)),
+            Material::Glass { index, absorption, .. } => Some((*index, *absorption)),
             _ => None,
         }
     }

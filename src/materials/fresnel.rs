@@ -16,6 +16,12 @@ pub fn reflect(direction: DVec3, normal: DVec3) -> DVec3 {
     direction - normal * (2.0 * direction.dot(normal))
 }
 
+/// Ideal reflection at +z of a unit vector that points away from the surface: the other leg of the V.
+#[inline]
+pub(super) fn mirrored(view: DVec3) -> DVec3 {
+    DVec3::new(-view.x, -view.y, view.z)
+}
+
 /// What happens to unpolarised light at the boundary.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Boundary {

@@ -1,13 +1,36 @@
 //! Materials: what a surface does with light.
 
+mod coated;
 mod colour_source;
+mod conductor;
+mod diffuse;
+mod directional_table;
 pub mod fresnel;
 mod medium;
+mod metal;
+mod microfacet;
+mod octaves;
+mod phong;
+mod quadrature;
+mod rough_glass;
+mod scattering;
+mod specular;
+mod visible_average;
 
+pub use coated::{Coat, Coated};
 pub use colour_source::{Checker, ColourSource, ImageTexture};
+pub use conductor::{METALS, MetalReflectance};
+pub use diffuse::{Diffuse, cosine_density, cosine_direction};
 pub use medium::{Medium, MediumStack};
+pub use metal::Metal;
+pub use phong::{Phong, phong_lobe};
+pub use rough_glass::{RoughBoundary, RoughGlass};
+pub use scattering::{Evaluation, Scattering, ScatteringSample};
+pub use specular::{Mirror, SmoothBoundary};
 
-use crate::math::Vec3;
+use std::sync::Arc;
+
+use crate::math::{DVec2, Vec3};
 
 /// What a surface does with light. Reflectances are linear RGB in `[0, 1]`.
 #[derive(Debug, Clone)]
@@ -22,16 +45,60 @@ pub enum Material {
     Phong { diffuse: ColourSource, specular: Vec3, exponent: f32 },
     /// Ideal specular reflection, the same at every angle.
     Mirror { colour: ColourSource },
-    /// A smooth dielectric with exact Fresnel reflection and transmission.
+    /// A metal, smooth or rough.
+    Metal(Arc<Metal>),
+    /// A diffuse base under a dielectric coat.
+    Coated { coat: Arc<Coat>, colour: ColourSource },
+    /// A dielectric with exact Fresnel reflection and transmission.
     Glass {
         /// Index of refraction relative to vacuum.
         index: f64,
         /// Absorption coefficients of Beer-Lambert's law per unit of length: `transmittance = e^(-absorption * length)`.
         absorption: Vec3,
+        /// Microfacets of a rough surface; `None` for a smooth one.
+        rough: Option<Arc<RoughGlass>>,
+    },
+    /// A light source of its own: the same radiance in all directions on the front side, black behind. Reflects nothing.
+    Light {
+        /// Linear RGB, unbounded.
+        radiance: Vec3,
     },
 }
 
 impl Material {
+    /// What the surface does with light at one place; `None` where it scatters none: debugging colours and pure lights.
+    ///
+    /// `relative_index` is the index of refraction on the viewer's side over that on the other; only glass asks for it.
+    #[inline]
+    pub fn scattering(&self, texture_coordinates: DVec2, relative_index: f64) -> Option<Scattering<'_>> {
+        match self {
+            Material::Normals | Material::TextureCoordinates | Material::Light { .. } => None,
+            Material::Lambert { colour } => {
+                Some(Scattering::Diffuse(Diffuse { colour: colour.at(texture_coordinates) }))
+            }
+            Material::Phong { diffuse, specular, exponent } => Some(Scattering::Phong(Phong {
+                diffuse: diffuse.at(texture_coordinates),
+                specular: *specular,
+                exponent: *exponent,
+            })),
+            Material::Mirror { colour } => Some(Scattering::Mirror(Mirror { colour: colour.at(texture_coordinates) })),
+            Material::Metal(metal) => Some(Scattering::Metal(metal)),
+            Material::Coated { coat, colour } => Some(Scattering::Coated(coat.over(colour.at(texture_coordinates)))),
+            Material::Glass { .. } if relative_index == 1.0 => Some(Scattering::Passing),
+            Material::Glass { rough, .. } => {
+                let rough = rough.as_ref().and_then(|glass| glass.boundary(relative_index));
+                let smooth = || Scattering::SmoothGlass(SmoothBoundary { relative_index });
+                Some(rough.map_or_else(smooth, Scattering::RoughGlass))
+            }
+        }
+    }
+
+    /// Radiance sent out on the front side: the outside of closed shapes, the normal's side of flat ones.
+    #[inline]
+    pub fn emission(&self) -> Vec3 {
+        if let Material::Light { radiance } = self { *radiance } else { Vec3::ZERO }
+    }
+
     /// True if light passes through.
     pub fn transmits(&self) -> bool {
         matches!(self, Material::Glass { .. })
@@ -52,14 +119,19 @@ impl Material {
         let varies = |colour: &ColourSource| !matches!(colour, ColourSource::Uniform(_));
         match self {
             Material::TextureCoordinates => true,
-            Material::Lambert { colour } | Material::Mirror { colour } => varies(colour),
+            Material::Lambert { colour } | Material::Mirror { colour } | Material::Coated { colour, .. } => {
+                varies(colour)
+            }
             Material::Phong { diffuse, .. } => varies(diffuse),
-            Material::Normals | Material::Glass { .. } => false,
+            Material::Normals | Material::Metal(_) | Material::Glass { .. } | Material::Light { .. } => false,
         }
     }
 
     /// True if light sources shade the surface directly.
     pub fn lit_by_sources(&self) -> bool {
-        matches!(self, Material::Lambert { .. } | Material::Phong { .. })
+        matches!(self, Material::Lambert { .. } | Material::Phong { .. } | Material::Coated { .. })
     }
 }
+
+#[cfg(test)]
+mod tests;

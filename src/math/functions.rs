@@ -13,6 +13,47 @@ pub fn cos(angle: f64) -> f64 {
     libm::cos(angle)
 }
 
+/// Sine and cosine of `turns` full turns, `turns` in `[0, 1]`; to 2 units in the last place, faster than those of radians.
+///
+/// The nearest quarter turn is taken off exactly, the rest (an eighth of a turn at most) goes into the Taylor series,
+/// whose first term left out is below 1e-16.
+#[inline]
+pub fn sin_cos_turns(turns: f64) -> (f64, f64) {
+    let quarters = (4.0 * turns + 0.5).floor();
+    let angle = (turns - 0.25 * quarters) * std::f64::consts::TAU;
+    let square = angle * angle;
+    let series =
+        |coefficients: &[f64]| coefficients.iter().rev().fold(0.0, |sum, coefficient| sum * square + coefficient);
+    const SINE: [f64; 8] = [
+        1.0,
+        -1.0 / 6.0,
+        1.0 / 120.0,
+        -1.0 / 5_040.0,
+        1.0 / 362_880.0,
+        -1.0 / 39_916_800.0,
+        1.0 / 6_227_020_800.0,
+        -1.0 / 1_307_674_368_000.0,
+    ];
+    const COSINE: [f64; 9] = [
+        1.0,
+        -1.0 / 2.0,
+        1.0 / 24.0,
+        -1.0 / 720.0,
+        1.0 / 40_320.0,
+        -1.0 / 3_628_800.0,
+        1.0 / 479_001_600.0,
+        -1.0 / 87_178_291_200.0,
+        1.0 / 20_922_789_888_000.0,
+    ];
+    let (sine, cosine) = (angle * series(&SINE), series(&COSINE));
+    match quarters as i32 & 3 {
+        0 => (sine, cosine),
+        1 => (cosine, -sine),
+        2 => (-sine, -cosine),
+        _ => (-cosine, sine),
+    }
+}
+
 /// Arc cosine in radians, `[0, pi]`; the argument is clamped to `[-1, 1]` first.
 pub fn arccos(cosine: f64) -> f64 {
     libm::acos(cosine.clamp(-1.0, 1.0))
@@ -26,6 +67,11 @@ pub fn arctan2(y: f64, x: f64) -> f64 {
 /// `base` raised to `exponent`.
 pub fn power(base: f32, exponent: f32) -> f32 {
     libm::powf(base, exponent)
+}
+
+/// `base` raised to `exponent`, in double precision.
+pub fn power_f64(base: f64, exponent: f64) -> f64 {
+    libm::pow(base, exponent)
 }
 
 /// `e` raised to `exponent`.
@@ -89,6 +135,18 @@ pub fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn sine_and_cosine_of_turns_agree_with_those_of_radians() {
+        for step in 0..=4096 {
+            let turns = f64::from(step) / 4096.0;
+            let (sine, cosine) = sin_cos_turns(turns);
+            let angle = turns * std::f64::consts::TAU;
+            assert!((sine - sin(angle)).abs() < 1e-15 && (cosine - cos(angle)).abs() < 1e-15, "{turns}");
+            assert!((sine * sine + cosine * cosine - 1.0).abs() < 4e-16, "{turns}");
+        }
+        assert_eq!(sin_cos_turns(0.25), (1.0, 0.0));
+    }
 
     #[test]
     fn clamping_leaves_a_number_in_range_for_any_input() {

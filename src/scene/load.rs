@@ -86,7 +86,8 @@ impl Scene {
         for table in tables(&mut root, "shapes")? {
             primitives.push(shapes.read(table)?);
         }
-        let materials = std::mem::take(&mut shapes.materials);
+        let mut materials = std::mem::take(&mut shapes.materials);
+        material::prepare_for_each_other(&mut materials);
         for primitive in &mut primitives {
             let needed = |number: u32| materials[number as usize].needs_texture_coordinates();
             primitive.textured = primitive.material.numbers().iter().any(|&number| needed(number));

@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use super::document::{Table, Value};
 use crate::error::{Error, Result};
-use crate::materials::{Checker, ColourSource, ImageTexture, Material};
+use crate::materials::{
+    Checker, Coat, ColourSource, ImageTexture, METALS, Material, Metal, MetalReflectance, RoughGlass,
+};
 use crate::math::{DVec2, Vec3};
 use crate::picture::{self, Filter, Texture, Wrap};
 
@@ -43,7 +45,10 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
         Lambert,
         Phong,
         Mirror,
+        Metal,
+        Coated,
         Glass,
+        Light,
     }
     let kind = table.required("kind")?.choice(&[
         ("normals", Kind::Normals),
@@ -51,33 +56,106 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
         ("lambert", Kind::Lambert),
         ("phong", Kind::Phong),
         ("mirror", Kind::Mirror),
+        ("metal", Kind::Metal),
+        ("coated", Kind::Coated),
         ("glass", Kind::Glass),
+        ("light", Kind::Light),
     ])?;
     let material = match kind {
         Kind::Normals => Material::Normals,
         Kind::TextureCoordinates => Material::TextureCoordinates,
         Kind::Lambert => Material::Lambert { colour: reflectance(&table.required("colour")?, textures)? },
-        Kind::Phong => Material::Phong {
-            diffuse: reflectance(&table.required("diffuse")?, textures)?,
-            specular: table.optional("specular").map_or(Ok(Vec3::ZERO), |value| uniform_reflectance(&value))?,
-            exponent: table.optional("exponent").map_or(Ok(32.0), |value| {
-                value.number_where("a number from 0 to 1000000", |number| (0.0..=1e6).contains(&number))
-            })? as f32,
-        },
-        Kind::Mirror => Material::Mirror {
-            colour: table
-                .optional("colour")
-                .map_or(Ok(ColourSource::Uniform(Vec3::ONE)), |value| reflectance(&value, textures))?,
-        },
-        Kind::Glass => Material::Glass {
-            index: table.optional("index").map_or(Ok(1.5), |value| {
-                value.number_where("an index of refraction, from 0.1 to 100", |number| (0.1..=100.0).contains(&number))
-            })?,
-            absorption: table.optional("absorption").map_or(Ok(Vec3::ZERO), |value| value.colour())?,
-        },
+        Kind::Phong => read_phong(&mut table, textures)?,
+        Kind::Mirror => Material::Mirror { colour: white_or(table.optional("colour"), textures)? },
+        Kind::Metal => read_metal(&mut table)?,
+        Kind::Coated => read_coated(&mut table, textures)?,
+        Kind::Glass => read_glass(&mut table)?,
+        Kind::Light => Material::Light { radiance: table.required("radiance")?.colour()? },
     };
     table.finish()?;
     Ok(material)
+}
+
+fn read_phong(table: &mut Table, textures: &mut TextureStore) -> Result<Material> {
+    let diffuse = reflectance(&table.required("diffuse")?, textures)?;
+    let highlight = table.optional("specular");
+    let specular = highlight.as_ref().map_or(Ok(Vec3::ZERO), uniform_reflectance)?;
+    let brightest = match &diffuse {
+        ColourSource::Uniform(colour) => *colour,
+        ColourSource::Checker(checker) => checker.even.max(checker.odd),
+        // A picture's texels are not known to reach 1.
+        ColourSource::Image(_) => Vec3::ZERO,
+    };
+    // A little above 1 is rounding: 0.9 + 0.1.
+    if let Some(value) = highlight.filter(|_| (brightest + specular).max_element() > 1.0 + 1e-6) {
+        return Err(value
+            .error("diffuse and specular together reflect more light than arrives")
+            .expected("sums of at most 1 in every channel"));
+    }
+    let exponent = table.optional("exponent").map_or(Ok(32.0), |value| {
+        value.number_where("a number from 0 to 1000000", |number| (0.0..=1e6).contains(&number))
+    })? as f32;
+    Ok(Material::Phong { diffuse, specular, exponent })
+}
+
+fn read_metal(table: &mut Table) -> Result<Material> {
+    let roughness = roughness(table)?;
+    let reflectance = match (table.optional("metal"), table.optional("index"), table.optional("reflectance")) {
+        (Some(name), None, None) => name.choice(&METALS)?,
+        (None, Some(index), None) => {
+            MetalReflectance::Measured { index: index.colour()?, extinction: table.required("extinction")?.colour()? }
+        }
+        (None, None, Some(colour)) => MetalReflectance::Schlick { normal: uniform_reflectance(&colour)? },
+        _ => {
+            return Err(table
+                .error("no single description of the metal")
+                .expected("either \"metal\", or \"index\" and \"extinction\", or \"reflectance\""));
+        }
+    };
+    Ok(Material::Metal(Arc::new(Metal::new(reflectance, roughness))))
+}
+
+fn read_coated(table: &mut Table, textures: &mut TextureStore) -> Result<Material> {
+    let colour = reflectance(&table.required("colour")?, textures)?;
+    let index = table.optional("index").map_or(Ok(1.5), |value| {
+        value.number_where("an index of refraction, from 1 to 100", |number| (1.0..=100.0).contains(&number))
+    })?;
+    Ok(Material::Coated { coat: Arc::new(Coat::new(index, roughness(table)?)), colour })
+}
+
+fn read_glass(table: &mut Table) -> Result<Material> {
+    let index = table.optional("index").map_or(Ok(1.5), |value| {
+        value.number_where("an index of refraction, from 0.1 to 100", |number| (0.1..=100.0).contains(&number))
+    })?;
+    let absorption = table.optional("absorption").map_or(Ok(Vec3::ZERO), |value| value.colour())?;
+    let roughness = roughness(table)?;
+    let rough = (roughness > 0.0).then(|| Arc::new(RoughGlass::new(index, roughness)));
+    Ok(Material::Glass { index, absorption, rough })
+}
+
+/// The alpha of GGX, or 0 for smooth.
+fn roughness(table: &mut Table) -> Result<f64> {
+    table.optional("roughness").map_or(Ok(0.0), |value| {
+        value.number_where("0 for smooth, or a roughness from 0.0001 to 1", |number| {
+            number == 0.0 || (1e-4..=1.0).contains(&number)
+        })
+    })
+}
+
+/// Prepares rough glasses for the other media of the scene: glasses may be nested, or touch.
+pub(super) fn prepare_for_each_other(materials: &mut [Material]) {
+    let index = |material: &Material| if let Material::Glass { index, .. } = material { Some(*index) } else { None };
+    let indices: Vec<f64> = materials.iter().filter_map(index).collect();
+    for material in materials {
+        if let Material::Glass { index, rough: Some(rough), .. } = material {
+            let rough = Arc::make_mut(rough);
+            indices.iter().for_each(|&other| rough.meet(*index, other));
+        }
+    }
+}
+
+fn white_or(value: Option<Value>, textures: &mut TextureStore) -> Result<ColourSource> {
+    value.map_or(Ok(ColourSource::Uniform(Vec3::ONE)), |value| reflectance(&value, textures))
 }
 
 /// A colour, `{ checker = [even, odd], repeat = [..] }` or `{ image = "file", repeat = [..], filter = ".." }`.

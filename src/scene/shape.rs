@@ -132,7 +132,7 @@ impl<'a> ShapeReader<'a> {
         match described.illumination {
             Some(4 | 6 | 7 | 9) => {
                 let index = described.index_of_refraction.map_or(1.5, |index| f64::from(index).clamp(0.1, 100.0));
-                return Ok(Material::Glass { index, absorption: Vec3::ZERO });
+                return Ok(Material::Glass { index, absorption: Vec3::ZERO, rough: None });
             }
             Some(3 | 5 | 8) => {
                 let colour = ColourSource::Uniform(described.specular.unwrap_or(Vec3::ONE));

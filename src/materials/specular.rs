@@ -1,0 +1,54 @@
+//! Delta lobes: light that goes on in exactly one direction, or two.
+
+use super::fresnel::{boundary, mirrored, refract};
+use super::scattering::ScatteringSample;
+use crate::math::{DVec3, Vec3};
+
+/// Ideal specular reflection, the same at every angle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Mirror {
+    pub colour: Vec3,
+}
+
+impl Mirror {
+    #[inline]
+    pub fn sample(&self, view: DVec3) -> Option<ScatteringSample> {
+        (self.colour != Vec3::ZERO).then_some(ScatteringSample::reflected_specularly(view, self.colour, 1.0))
+    }
+}
+
+/// The smooth boundary of two dielectrics; reflection or transmission is chosen by its share of the light.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SmoothBoundary {
+    /// Index of refraction on the viewer's side over that on the other.
+    pub relative_index: f64,
+}
+
+impl SmoothBoundary {
+    #[inline]
+    pub fn sample(&self, view: DVec3, choice: f64) -> Option<ScatteringSample> {
+        let boundary = boundary(view.z, self.relative_index);
+        match boundary.cos_transmitted {
+            Some(cos_transmitted) if choice >= boundary.reflectance => Some(ScatteringSample {
+                direction: refract(-view, DVec3::Z, self.relative_index, cos_transmitted),
+                weight: Vec3::ONE,
+                density: 1.0 - boundary.reflectance,
+                specular: true,
+                transmitted: true,
+            }),
+            _ => Some(ScatteringSample::reflected_specularly(view, Vec3::ONE, boundary.reflectance)),
+        }
+    }
+}
+
+impl ScatteringSample {
+    /// Straight on.
+    pub(super) fn passing(view: DVec3) -> Self {
+        Self { direction: -view, weight: Vec3::ONE, density: 1.0, specular: true, transmitted: true }
+    }
+
+    /// Ideal reflection, chosen with a probability.
+    pub(super) fn reflected_specularly(view: DVec3, weight: Vec3, probability: f64) -> Self {
+        Self { direction: mirrored(view), weight, density: probability, specular: true, transmitted: false }
+    }
+}

@@ -1,0 +1,11 @@
+//! The scattering functions from outside: sampling against density, energy, reciprocity, limits.
+
+#[path = "../support/chi_square.rs"]
+mod chi_square;
+#[path = "../support/random.rs"]
+mod random;
+
+mod energy;
+mod samples;
+mod subjects;
+mod symmetry;
