@@ -91,7 +91,7 @@ impl Longitudes {
     pub(super) fn direction(&self, u: f64, cosine: f64) -> DVec3 {
         let longitude = (u - self.turns) * std::f64::consts::TAU;
         let radius = ((1.0 - cosine) * (1.0 + cosine)).max(0.0).sqrt();
-        self.from_y_up(DVec3::new(radius * sin(longitude), cosine, -radius * cos(longitude)))
+        self.leave_y_up(DVec3::new(radius * sin(longitude), cosine, -radius * cos(longitude)))
     }
 
     /// The direction in a frame whose up is +y: for up = +z, forward +y becomes forward -z.
@@ -107,7 +107,7 @@ impl Longitudes {
     }
 
     /// The inverse of [`Longitudes::y_up`].
-    fn from_y_up(&self, direction: DVec3) -> DVec3 {
+    fn leave_y_up(&self, direction: DVec3) -> DVec3 {
         let [x, y, z] = direction.to_array();
         let [x, y, z] = if self.up.negative { [-x, -y, z] } else { [x, y, z] };
         match self.up.axis {

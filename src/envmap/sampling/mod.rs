@@ -35,7 +35,7 @@ pub struct EnvironmentSampler {
 #[derive(Debug)]
 enum SamplerKind {
     Heights(HeightSampler),
-    Faces(FaceSampler),
+    Faces(Box<FaceSampler>),
     Panorama(PanoramaSampler),
 }
 
@@ -102,7 +102,7 @@ impl SamplerKind {
                 from_gradient(&Gradient { up: SignedAxis::POS_Z, zenith, horizon, nadir }, histogram)
             }
             EnvironmentKind::Gradient(gradient) => from_gradient(gradient, histogram),
-            EnvironmentKind::CubeMap(map) => Self::Faces(FaceSampler::new(map, histogram)?),
+            EnvironmentKind::CubeMap(map) => Self::Faces(Box::new(FaceSampler::new(map, histogram)?)),
             EnvironmentKind::Equirectangular(map) => Self::Panorama(PanoramaSampler::new(map, histogram)?),
         })
     }

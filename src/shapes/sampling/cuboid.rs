@@ -17,7 +17,7 @@ impl CuboidSampler {
         let faces = std::array::from_fn(|face| {
             let outward = normal(face as u32);
             let right = DVec3::AXES[(face / 2 + 1) % 3];
-            ParallelogramSampler::new(&transform.to_world, right, outward.cross(right), outward).as_part(face as u32)
+            ParallelogramSampler::new(&transform.to_world, right, outward.cross(right), outward).with_part(face as u32)
         });
         Self { faces }
     }

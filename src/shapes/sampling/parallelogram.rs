@@ -45,7 +45,7 @@ impl ParallelogramSampler {
     }
 
     /// The same as a numbered part of a shape.
-    pub(super) fn as_part(self, part: u32) -> Self {
+    pub(super) fn with_part(self, part: u32) -> Self {
         Self { part, ..self }
     }
 
