@@ -19,7 +19,7 @@ pub fn place_on_cube(direction: DVec3) -> (usize, [f64; 2]) {
 pub fn point_on_cube(face: usize, place: [f64; 2]) -> DVec3 {
     let axis = face / 2;
     let mut point = DVec3::ZERO;
-    point[axis] = if face % 2 == 0 { 1.0 } else { -1.0 };
+    point[axis] = if face.is_multiple_of(2) { 1.0 } else { -1.0 };
     let mut coordinates = place.into_iter();
     for other in (0..3).filter(|&other| other != axis) {
         point[other] = 2.0 * coordinates.next().unwrap() - 1.0;
