@@ -2,7 +2,7 @@
 
 use super::axis::SignedAxis;
 use super::lazy_image::LazyImage;
-use crate::math::functions::{arccos, arctan2};
+use crate::math::functions::{arccos, arctan2, cos, sin};
 use crate::math::{DVec3, Vec3};
 use crate::picture::Footprint;
 
@@ -56,11 +56,42 @@ impl Equirectangular {
 
     /// Place in the picture in `[0, 1]` from the left and from the top.
     pub fn coordinates(&self, direction: DVec3) -> (f32, f32) {
+        let (u, v) = self.longitudes().place(direction);
+        (u as f32, v as f32)
+    }
+
+    /// The unit direction of a place in the picture: the inverse of [`Equirectangular::coordinates`].
+    pub fn direction(&self, u: f64, v: f64) -> DVec3 {
+        self.longitudes().direction(u, cos(std::f64::consts::PI * v))
+    }
+
+    /// How the picture lies around the viewer.
+    pub(super) fn longitudes(&self) -> Longitudes {
+        Longitudes { up: self.up, turns: f64::from(self.turns) }
+    }
+}
+
+/// Longitude and latitude about an axis: the drawing at [`Equirectangular`], without the picture.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Longitudes {
+    up: SignedAxis,
+    turns: f64,
+}
+
+impl Longitudes {
+    /// Place in the picture in `[0, 1]` from the left and from the top.
+    pub(super) fn place(&self, direction: DVec3) -> (f64, f64) {
         let [x, y, z] = self.y_up(direction).to_array();
         // Longitude counted from -z towards +x.
-        let longitude = arctan2(x, -z) / std::f64::consts::TAU + f64::from(self.turns);
-        let latitude = arccos(y) / std::f64::consts::PI;
-        ((longitude - longitude.floor()) as f32, latitude as f32)
+        let longitude = arctan2(x, -z) / std::f64::consts::TAU + self.turns;
+        (longitude - longitude.floor(), arccos(y) / std::f64::consts::PI)
+    }
+
+    /// The unit direction at `u` from the left, `cosine` being that of the angle from the zenith.
+    pub(super) fn direction(&self, u: f64, cosine: f64) -> DVec3 {
+        let longitude = (u - self.turns) * std::f64::consts::TAU;
+        let radius = ((1.0 - cosine) * (1.0 + cosine)).max(0.0).sqrt();
+        self.leave_y_up(DVec3::new(radius * sin(longitude), cosine, -radius * cos(longitude)))
     }
 
     /// The direction in a frame whose up is +y: for up = +z, forward +y becomes forward -z.
@@ -73,6 +104,17 @@ impl Equirectangular {
         };
         // A negative up axis: half a turn about z of the y-up frame.
         if self.up.negative { DVec3::new(-turned.x, -turned.y, turned.z) } else { turned }
+    }
+
+    /// The inverse of [`Longitudes::y_up`].
+    fn leave_y_up(&self, direction: DVec3) -> DVec3 {
+        let [x, y, z] = direction.to_array();
+        let [x, y, z] = if self.up.negative { [-x, -y, z] } else { [x, y, z] };
+        match self.up.axis {
+            0 => DVec3::new(y, -x, z),
+            1 => DVec3::new(x, y, z),
+            _ => DVec3::new(x, -z, y),
+        }
     }
 }
 
@@ -102,6 +144,24 @@ mod tests {
             let map = map(up);
             assert_eq!(map.coordinates(up.direction().as_dvec3()).1, 0.0, "{name}");
             assert_eq!(map.coordinates(-up.direction().as_dvec3()).1, 1.0, "{name}");
+        }
+    }
+
+    #[test]
+    fn direction_is_the_inverse_of_coordinates() {
+        for name in ["+x", "-x", "+y", "-y", "+z", "-z"] {
+            for turns in [0.0, 0.3, 0.75] {
+                let map = Equirectangular { turns, ..map(name.parse().unwrap()) };
+                for (u, v) in [(0.01, 0.02), (0.2, 0.4), (0.49, 0.5), (0.7, 0.9), (0.99, 0.97)] {
+                    let direction = map.direction(u, v);
+                    assert!((direction.length() - 1.0).abs() < 1e-15);
+                    let (back_u, back_v) = map.coordinates(direction);
+                    assert!(
+                        (f64::from(back_u) - u).abs() < 1e-6 && (f64::from(back_v) - v).abs() < 1e-6,
+                        "{name} {u} {v}"
+                    );
+                }
+            }
         }
     }
 }

@@ -10,6 +10,7 @@ mod lazy_image;
 mod lookup;
 mod preset;
 mod probe;
+mod sampling;
 mod seamless;
 pub mod source;
 
@@ -23,6 +24,7 @@ pub use lazy_image::{Decoder, LazyImage};
 pub use lookup::{FaceLookup, FacePoint, ImagePoint, Lookup, VOrigin};
 pub use preset::Preset;
 pub use probe::{Probe, ProbedTexel, TexelPlace};
+pub use sampling::EnvironmentSampler;
 
 #[cfg(test)]
 mod tests;

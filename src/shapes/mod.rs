@@ -8,7 +8,9 @@ mod cuboid;
 mod flat;
 pub mod mesh;
 mod primitive;
+mod sampling;
 mod sphere;
 
 pub use flat::Outline;
 pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};
+pub use sampling::{ShapeSample, ShapeSampler};
