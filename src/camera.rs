@@ -1,4 +1,4 @@
-//! The pinhole camera.
+//! The camera: a pinhole, or a thin lens with depth of field.
 //!
 //! ```text
 //!             up            right = forward x up
@@ -7,9 +7,21 @@
 //!              | /          pixel (0, 0) is the top left one
 //!   position   o----- right
 //! ```
+//!
+//! Through a lens, all rays of a place in the picture meet in the plane that is in focus; what lies nearer or farther is
+//! spread over a disc (Cook, Porter and Carpenter, Distributed Ray Tracing, 1984):
+//!
+//! ```text
+//!     lens |\                       a point in focus at the depth `focus`: one place in the picture
+//!          |   \_
+//!   radius o-------*----------      a ray from any point of the lens goes through the same point in focus
+//!          |   _/   focus
+//!          |/
+//! ```
 
 use crate::math::functions::{cos, sin};
 use crate::math::{DVec3, Ray};
+use crate::sampling::warp::concentric_disc;
 
 /// A camera that sees a rectangle of a plane through a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +34,16 @@ pub struct Camera {
     forward: DVec3,
     width: usize,
     height: usize,
+    lens: Option<Lens>,
+}
+
+/// A thin lens.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lens {
+    /// Radius of the opening, in the scene's unit, more than 0.
+    pub radius: f64,
+    /// Distance along the view of the plane that is in focus, more than 0.
+    pub focus: f64,
 }
 
 impl Camera {
@@ -53,7 +75,18 @@ impl Camera {
             forward,
             width,
             height,
+            lens: None,
         })
+    }
+
+    /// The same view through a lens, or a pinhole for `None`.
+    pub fn with_lens(self, lens: Option<Lens>) -> Self {
+        Self { lens, ..self }
+    }
+
+    /// The lens; `None` for a pinhole.
+    pub fn lens(&self) -> Option<Lens> {
+        self.lens
     }
 
     /// The same view in another picture size. The vertical field of view stays.
@@ -76,9 +109,24 @@ impl Camera {
     /// the first pixel.
     #[inline]
     pub fn ray(&self, x: f64, y: f64) -> Ray {
+        Ray::new(self.position, self.towards(x, y).normalize())
+    }
+
+    /// The ray through a place of the picture and a place of the lens, both numbers uniform in `[0, 1)`. A pinhole has
+    /// one place only.
+    #[inline]
+    pub fn ray_through_lens(&self, x: f64, y: f64, lens_place: [f64; 2]) -> Ray {
+        let Some(Lens { radius, focus }) = self.lens else { return self.ray(x, y) };
+        let point = concentric_disc(lens_place) * radius;
+        let offset = self.right.normalize() * point.x + self.top.normalize() * point.y;
+        Ray::new(self.position + offset, (self.towards(x, y) * focus - offset).normalize())
+    }
+
+    /// The view through a place of the picture, of length 1 along the forward direction.
+    fn towards(&self, x: f64, y: f64) -> DVec3 {
         let across = 2.0 * x / self.width as f64 - 1.0;
         let upwards = 1.0 - 2.0 * y / self.height as f64;
-        Ray::new(self.position, (self.forward + self.right * across + self.top * upwards).normalize())
+        self.forward + self.right * across + self.top * upwards
     }
 }
 
@@ -92,6 +140,23 @@ mod tests {
         let corner = |x, y| camera.ray(x, y).direction * 3.0_f64.sqrt();
         assert!((corner(0.0, 0.0) - DVec3::new(1.0, 1.0, 1.0)).length() < 1e-14, "top left: +y is left of +x in z up");
         assert!((corner(8.0, 8.0) - DVec3::new(1.0, -1.0, -1.0)).length() < 1e-14);
+    }
+
+    #[test]
+    fn rays_through_a_lens_meet_in_the_plane_in_focus() {
+        let lens = Lens { radius: 0.5, focus: 3.0 };
+        let pinhole = Camera::look_at(DVec3::new(1.0, 2.0, 3.0), DVec3::X, DVec3::Z, 60.0, [8, 6]).unwrap();
+        let camera = pinhole.with_lens(Some(lens));
+        let forward = (DVec3::X - camera.position()).normalize();
+        let in_focus =
+            |ray: Ray| ray.at((3.0 - (ray.origin - camera.position()).dot(forward)) / ray.direction.dot(forward));
+        let expected = in_focus(pinhole.ray(1.25, 4.5));
+        for place in [[0.0, 0.0], [0.1, 0.9], [0.5, 0.5], [0.99, 0.3]] {
+            let ray = camera.ray_through_lens(1.25, 4.5, place);
+            assert!((in_focus(ray) - expected).length() < 1e-12);
+            assert!((ray.origin - camera.position()).length() <= 0.5 + 1e-12);
+            assert!((ray.origin - camera.position()).dot(forward).abs() < 1e-12);
+        }
     }
 
     #[test]

@@ -98,22 +98,75 @@ fn two_faces_cannot_be_baked_into_one_image() {
     assert_eq!(files(folder.path()), ["double.toml"]);
 }
 
+/// Starts the program, presses Ctrl-C after a while and waits for the end.
 #[cfg(unix)]
-#[test]
-fn an_interrupted_rendering_leaves_nothing_behind() {
-    let folder = tempfile::tempdir().unwrap();
+fn interrupted(folder: &Path, arguments: &[&str], milliseconds: u64) -> Output {
     let mut child = Command::new(env!("CARGO_BIN_EXE_skycube"))
-        .args(["render", LESSON, "--samples", "65536", "-o", "picture.png"])
-        .current_dir(folder.path())
+        .args(arguments)
+        .current_dir(folder)
+        .stdout(std::process::Stdio::piped())
         .stderr(std::process::Stdio::piped())
         .spawn()
         .unwrap();
-    std::thread::sleep(std::time::Duration::from_millis(700));
+    std::thread::sleep(std::time::Duration::from_millis(milliseconds));
     assert!(child.try_wait().unwrap().is_none(), "it should take minutes");
     assert!(Command::new("kill").args(["-INT", &child.id().to_string()]).status().unwrap().success());
     let output = child.wait_with_output().unwrap();
     assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+    output
+}
+
+#[cfg(unix)]
+#[test]
+fn a_rendering_interrupted_before_its_first_sample_leaves_nothing_behind() {
+    let folder = tempfile::tempdir().unwrap();
+    interrupted(folder.path(), &["render", LESSON, "--size", "12000x12000", "--samples", "1", "-o", "a.png"], 700);
     assert_eq!(files(folder.path()), [""; 0]);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_progressive_rendering_writes_what_is_there_and_marks_it() {
+    for name in ["a.png", "a.jpg", "a.hdr", "a.exr"] {
+        let folder = tempfile::tempdir().unwrap();
+        let output =
+            interrupted(folder.path(), &["render", LESSON, "--size", "64x40", "--samples", "65536", "-o", name], 1500);
+        let report = text(&output.stdout);
+        assert!(report.contains("stopped by Ctrl-C"), "{report}");
+        assert_eq!(files(folder.path()), [name]);
+        let bytes = std::fs::read(folder.path().join(name)).unwrap();
+        let mark = b"stopped after ";
+        assert!(bytes.windows(mark.len()).any(|window| window == mark), "{name}");
+        assert_eq!(skycube::picture::read(&folder.path().join(name)).unwrap().width(), 64, "{name}");
+    }
+}
+
+#[test]
+fn layers_lie_beside_the_picture_in_exr_files_only() {
+    let folder = tempfile::tempdir().unwrap();
+    let size = ["render", LESSON, "--size", "8x5", "--samples", "2", "--layers"];
+    let refused = skycube(folder.path(), &[&size[..], &["-o", "a.png"]].concat());
+    assert_eq!(refused.status.code(), Some(2), "{}", text(&refused.stderr));
+    let written = skycube(folder.path(), &[&size[..], &["-o", "a.exr"]].concat());
+    assert_eq!(written.status.code(), Some(0), "{}", text(&written.stderr));
+    let bytes = std::fs::read(folder.path().join("a.exr")).unwrap();
+    for channel in ["normal.X", "albedo.R", "depth.Z", "variance.B"] {
+        assert!(bytes.windows(channel.len()).any(|window| window == channel.as_bytes()), "{channel}");
+    }
+    assert_eq!(skycube::picture::read(&folder.path().join("a.exr")).unwrap().width(), 8);
+}
+
+#[test]
+fn a_rendering_takes_the_time_it_is_given() {
+    let folder = tempfile::tempdir().unwrap();
+    let started = std::time::Instant::now();
+    let output = skycube(folder.path(), &["render", LESSON, "--size", "32x20", "--time", "2s", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert!(report["samples"].as_u64().unwrap() > 1, "{report}");
+    assert!(started.elapsed().as_secs_f64() < 30.0, "the limit does not hold");
+    let both = skycube(folder.path(), &["render", LESSON, "--time", "1s", "--spp", "4"]);
+    assert_eq!(both.status.code(), Some(2));
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use glam::{DVec3, Vec3};
-use skycube::integrators::{RayCounts, media_around, radiance};
+use skycube::integrators::{Integrator, RayCounts};
 use skycube::math::Ray;
 use skycube::picture;
 use skycube::render::{Rendering, Silent, render};
@@ -24,8 +24,9 @@ fn rendering(scene: &Scene) -> Rendering {
 fn along(scene: &Scene, origin: DVec3, direction: DVec3) -> Vec3 {
     let ray = Ray::new(origin, direction.normalize());
     let plan = Plan::new(scene);
-    let media = media_around(scene, &plan, origin);
-    radiance(scene, &plan, &ray, &media, &mut PixelSampler::new(0, 0, 0), &mut RayCounts::default())
+    let integrator = Integrator::new(scene, &plan).unwrap();
+    let media = integrator.media_around(origin);
+    integrator.radiance(&ray, &media, &mut PixelSampler::new(0, 0, 0), &mut RayCounts::default())
 }
 
 /// A sequence of numbers in `[0, 1)` without pattern.

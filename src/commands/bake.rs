@@ -61,7 +61,7 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let size = arguments.face_size as usize;
     check_pixel_count([6 * size, size])?;
     interrupt::watch();
-    let bar = RenderBar::new(6 * (size * size) as u64, "baking");
+    let bar = RenderBar::new(6 * (size * size) as u64 * u64::from(scene.samples), "baking");
     let started = Instant::now();
     let (mut rasters, mut rays) = (Vec::new(), 0);
     for face in Face::ALL {

@@ -26,6 +26,8 @@ pub enum Outcome {
     Clean,
     /// Done, and faults were found.
     Faults,
+    /// Stopped by Ctrl-C; what there was by then is written and marked.
+    Interrupted,
 }
 
 /// A small, complete ray tracer for teaching, and a validator that says how to mend a skybox.
@@ -82,6 +84,7 @@ fn exit_code(result: Result<Outcome>) -> ExitCode {
     match result {
         Ok(Outcome::Clean) => ExitCode::SUCCESS,
         Ok(Outcome::Faults) => ExitCode::from(1),
+        Ok(Outcome::Interrupted) => ExitCode::from(130),
         Err(error) => {
             eprintln!("error: {error}");
             ExitCode::from(if interrupt::requested() { 130 } else { 2 })

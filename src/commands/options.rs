@@ -10,13 +10,14 @@ use crate::envmap::source::{Layout, Skybox};
 use crate::envmap::{Lookup, Preset};
 use crate::error::{Error, Result};
 use crate::picture::{PngDepth, WriteOptions};
-use crate::scene::{IntegratorKind, Scene};
+use crate::sampling::{PixelFilter, SamplerKind};
+use crate::scene::{Caustics, IntegratorKind, Scene, Strategy};
 
 /// What the command line may say instead of the scene file.
 #[derive(Debug, Args)]
 pub struct SceneOverrides {
     /// Samples a pixel
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
+    #[arg(long, visible_alias = "spp", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub samples: Option<u32>,
     /// How light is followed
     #[arg(long, value_enum)]
@@ -24,6 +25,21 @@ pub struct SceneOverrides {
     /// Reflections and refractions followed at most
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(0..=1000))]
     pub depth: Option<u32>,
+    /// How the path tracer finds light sources
+    #[arg(long, value_enum)]
+    pub strategy: Option<Strategy>,
+    /// How samples are chosen
+    #[arg(long, value_enum)]
+    pub sampler: Option<SamplerKind>,
+    /// The shape of a pixel
+    #[arg(long, value_enum, value_name = "FILTER")]
+    pub pixel_filter: Option<PixelFilter>,
+    /// Another seed gives another picture of the same scene, with noise of its own
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u32>,
+    /// Whether the path tracer searches for light that glass and mirrors focus
+    #[arg(long, value_enum)]
+    pub caustics: Option<Caustics>,
     /// Another map in place of the environment's own: a folder, a zip or a picture
     #[arg(long, value_name = "MAP")]
     pub environment: Option<PathBuf>,
@@ -39,6 +55,11 @@ impl SceneOverrides {
         scene.samples = self.samples.unwrap_or(scene.samples);
         scene.integrator.kind = self.integrator.unwrap_or(scene.integrator.kind);
         scene.integrator.depth = self.depth.unwrap_or(scene.integrator.depth);
+        scene.integrator.strategy = self.strategy.unwrap_or(scene.integrator.strategy);
+        scene.integrator.caustics = self.caustics.unwrap_or(scene.integrator.caustics);
+        scene.sampling.sampler = self.sampler.unwrap_or(scene.sampling.sampler);
+        scene.sampling.filter = self.pixel_filter.unwrap_or(scene.sampling.filter);
+        scene.sampling.seed = self.seed.unwrap_or(scene.sampling.seed);
         Ok(scene)
     }
 

@@ -1,7 +1,7 @@
 //! `skycube render`: a scene to a picture.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use clap::Args;
 
@@ -9,11 +9,11 @@ use super::Outcome;
 use super::interrupt;
 use super::options::{PictureOptions, PictureSize, SceneOverrides, check_pixel_count, refuse_to_overwrite_sources};
 use super::progress_bar::RenderBar;
-use crate::error::Result;
-use crate::picture::{self, OutputFormat, check_target};
-use crate::render::render;
+use crate::error::{Error, Result};
+use crate::picture::{self, Extras, OutputFormat, check_target};
+use crate::render::{Budget, Layers, Renderer, Rendering, render_progressively};
 use crate::report::RenderReport;
-use crate::scene::Plan;
+use crate::scene::{Plan, Scene};
 
 #[derive(Debug, Args)]
 pub struct RenderArguments {
@@ -25,6 +25,12 @@ pub struct RenderArguments {
     /// Picture size in pixels, such as 640x480
     #[arg(long, value_name = "WxH")]
     size: Option<PictureSize>,
+    /// Render for so long and show what there is by then, such as 10s, 500ms or 2m
+    #[arg(long, value_name = "TIME", conflicts_with = "samples", value_parser = parse_duration)]
+    time: Option<Duration>,
+    /// Add layers of normal, albedo, depth and variance to an .exr
+    #[arg(long)]
+    layers: bool,
     #[command(flatten)]
     overrides: SceneOverrides,
     #[command(flatten)]
@@ -44,31 +50,72 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     check_pixel_count(scene.camera.size())?;
     let plan = Plan::new(&scene);
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.scene));
-    // Everything that can be refused is refused before the work.
-    OutputFormat::of_path(&output)?;
-    refuse_to_overwrite_sources(&output, &scene.sources)?;
-    check_target(&output)?;
+    refuse(arguments, &scene, &output)?;
     let loaded = started.elapsed();
-
-    let [width, height] = scene.camera.size();
-    interrupt::watch();
-    let bar = RenderBar::new((width * height) as u64, "rendering");
-    let rendering = arguments.overrides.thread_pool()?.install(|| render(&scene, &plan, &bar));
-    bar.finish();
-    let rendering = rendering?;
+    let rendering = rendering(arguments, &scene, &plan)?;
     let rendered = started.elapsed();
+    write(arguments, &scene, &rendering, &output)?;
+    let report = RenderReport::new(&scene, &plan, &output, &rendering, [loaded, rendered, started.elapsed()]);
+    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    Ok(if rendering.stopped { Outcome::Interrupted } else { Outcome::Clean })
+}
 
-    let options = arguments.picture.write_options(scene.output.tone_map);
-    picture::write(&rendering.raster, &output, &options)?;
-    let report = RenderReport::new(&scene, &plan, &output, rendering.counts, [loaded, rendered, started.elapsed()]);
-    if arguments.json {
-        println!("{}", report.to_json());
-    } else {
-        print!("{report}");
+/// Everything that can be refused is refused before the work.
+fn refuse(arguments: &RenderArguments, scene: &Scene, output: &Path) -> Result<()> {
+    let format = OutputFormat::of_path(output)?;
+    if arguments.layers && format != OutputFormat::Exr {
+        return Err(Error::new("--layers needs a format that holds them")
+            .in_file(output)
+            .expected("the extension .exr"));
     }
-    Ok(Outcome::Clean)
+    refuse_to_overwrite_sources(output, &scene.sources)?;
+    check_target(output)
+}
+
+fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<Rendering> {
+    let [width, height] = scene.camera.size();
+    let pixels = (width * height) as u64;
+    interrupt::watch();
+    let (budget, bar) = match arguments.time {
+        Some(limit) => (Budget::Time(limit), RenderBar::until(limit, "rendering")),
+        None => (Budget::Samples(scene.samples), RenderBar::new(pixels * u64::from(scene.samples), "rendering")),
+    };
+    let rendering = arguments.overrides.thread_pool()?.install(|| {
+        let renderer = if arguments.layers { Renderer::with_layers(scene, plan)? } else { Renderer::new(scene, plan)? };
+        let renderer = if arguments.time.is_some() { renderer.scattered() } else { renderer };
+        render_progressively(renderer, budget, &bar)
+    });
+    bar.finish();
+    rendering
+}
+
+fn write(arguments: &RenderArguments, scene: &Scene, rendering: &Rendering, output: &Path) -> Result<()> {
+    let options = arguments.picture.write_options(scene.output.tone_map);
+    let remark = format!("stopped after {} samples a pixel of {}", rendering.samples, scene.samples);
+    let layers = rendering.layers.as_ref().map(Layers::named);
+    let extras = Extras {
+        layers: layers.as_ref().map_or(&[], |layers| layers.as_slice()),
+        remark: rendering.stopped.then_some(remark.as_str()),
+    };
+    picture::write_with(&rendering.raster, output, &options, extras)
 }
 
 fn default_output(scene: &Path) -> PathBuf {
     PathBuf::from(scene.with_extension("png").file_name().unwrap_or("render.png".as_ref()))
+}
+
+/// A time with its unit.
+fn parse_duration(text: &str) -> std::result::Result<Duration, String> {
+    let split = text.find(|letter: char| letter.is_ascii_alphabetic()).unwrap_or(text.len());
+    let (digits, unit) = text.split_at(split);
+    let seconds = match unit {
+        "ms" => 1e-3,
+        "s" | "" => 1.0,
+        "m" | "min" => 60.0,
+        "h" => 3600.0,
+        _ => return Err("expected a time such as 500ms, 10s, 2m or 1h".to_owned()),
+    };
+    let number: Option<f64> = digits.trim().parse().ok();
+    let time = number.map(|number| number * seconds).filter(|time| (1e-3..=1e7).contains(time));
+    time.map(Duration::from_secs_f64).ok_or_else(|| "expected a time such as 500ms, 10s, 2m or 1h".to_owned())
 }

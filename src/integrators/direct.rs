@@ -7,7 +7,7 @@ use super::normals;
 use crate::lights::Light;
 use crate::materials::fresnel::reflect;
 use crate::materials::{Material, phong_lobe};
-use crate::math::{DVec3, Departure, Ray, Side, Vec3};
+use crate::math::{DVec2, DVec3, Departure, Ray, Side, Vec3};
 use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
 
@@ -36,6 +36,12 @@ impl View {
     }
 }
 
+/// The fractions of texture coordinates as red and green.
+pub(super) fn coordinates_colour(place: DVec2) -> Vec3 {
+    let fraction = (place - place.floor()).as_vec2();
+    Vec3::new(fraction.x, fraction.y, 0.0)
+}
+
 /// The colour a surface shows by itself: debugging colours, or reflected light of all sources.
 #[inline]
 pub(super) fn local_radiance(
@@ -49,11 +55,7 @@ pub(super) fn local_radiance(
     let material = &scene.materials[surface.material as usize];
     let (diffuse, highlight) = match material {
         Material::Normals => return normals::colour(surface.shading_normal),
-        Material::TextureCoordinates => {
-            let place = surface.texture_coordinates;
-            let fraction = (place - place.floor()).as_vec2();
-            return Vec3::new(fraction.x, fraction.y, 0.0);
-        }
+        Material::TextureCoordinates => return coordinates_colour(surface.texture_coordinates),
         Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => return Vec3::ZERO,
         Material::Light { radiance } => return if view.side == Side::Front { *radiance } else { Vec3::ZERO },
         Material::Lambert { colour } | Material::Coated { colour, .. } => {

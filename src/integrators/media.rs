@@ -1,8 +1,69 @@
-//! The glasses around a point.
+//! The glasses that rays go through.
 
-use crate::materials::{Medium, MediumStack};
-use crate::math::{DVec3, Departure, Ray, Side};
+use super::direct::View;
+use crate::materials::{Material, Medium, MediumStack};
+use crate::math::functions::exponential;
+use crate::math::{DVec3, Departure, Ray, Side, Vec3};
 use crate::scene::{Plan, Scene};
+use crate::shapes::Surface;
+
+/// What the glasses of a scene do with light.
+#[derive(Clone, Copy)]
+pub(super) struct Media<'a> {
+    pub scene: &'a Scene,
+    /// False if no glass weakens light.
+    pub absorption: bool,
+}
+
+impl Media<'_> {
+    /// Index of refraction inside a glass, 1 in free space.
+    #[inline]
+    pub fn index_inside(&self, medium: Option<Medium>) -> f64 {
+        self.glass_of(medium).map_or(1.0, |(index, _)| index)
+    }
+
+    /// Share of the light that is left after a way through a glass.
+    #[inline]
+    pub fn transmittance(&self, medium: Option<Medium>, distance: f64) -> Vec3 {
+        if !self.absorption {
+            return Vec3::ONE;
+        }
+        let Some((_, absorption)) = self.glass_of(medium) else { return Vec3::ONE };
+        absorption.to_array().map(|coefficient| beer_lambert(coefficient, distance)).into()
+    }
+
+    /// Index and absorption of a glass.
+    fn glass_of(&self, medium: Option<Medium>) -> Option<(f64, Vec3)> {
+        match &self.scene.materials[medium?.material as usize] {
+            Material::Glass { index, absorption, .. } => Some((*index, *absorption)),
+            _ => None,
+        }
+    }
+}
+
+/// The glass a ray came through to a surface. A glass whose inside is met without having been entered (its surface
+/// coincides with another's, where rounding decides what is met first) is what the ray came through.
+#[inline]
+pub(super) fn medium_before(media: &MediumStack, surface: &Surface, view: &View) -> Option<Medium> {
+    let met = Medium { shape: surface.id.shape, material: surface.material };
+    let unknown = view.side == Side::Back && !media.contains(met.shape);
+    if unknown { Some(met) } else { media.innermost() }
+}
+
+/// The glasses on the far side of a surface that light passes.
+#[inline]
+pub(super) fn beyond(media: &MediumStack, surface: &Surface, view: &View) -> MediumStack {
+    let medium = Medium { shape: surface.id.shape, material: surface.material };
+    match view.side {
+        Side::Front => media.entering(medium),
+        Side::Back => media.leaving(medium.shape),
+    }
+}
+
+/// `e^(-coefficient * distance)`; no absorption is none over any distance.
+fn beer_lambert(coefficient: f32, distance: f64) -> f32 {
+    if coefficient == 0.0 { 1.0 } else { exponential((-f64::from(coefficient) * distance) as f32) }
+}
 
 /// Surfaces met at most on the way out.
 const LONGEST_WAY: usize = 4096;

@@ -4,34 +4,77 @@ mod cost;
 mod direct;
 mod media;
 mod normals;
+mod path;
 mod phong;
 mod whitted;
 
 pub use cost::RayCounts;
-pub use media::media_around;
 
+use crate::error::Result;
 use crate::materials::MediumStack;
-use crate::math::{Ray, Vec3};
+use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
 use crate::scene::{IntegratorKind, Plan, Scene};
+use direct::View;
+use path::PathTables;
 
-/// Computes the radiance along a camera ray.
-///
-/// `media` are the glasses around the ray's origin ([`media_around`]). The counts of rays grow by what was traced; the
-/// sampler delivers random decisions.
-#[inline]
-pub fn radiance(
-    scene: &Scene,
-    plan: &Plan,
-    ray: &Ray,
-    media: &MediumStack,
-    sampler: &mut PixelSampler,
-    counts: &mut RayCounts,
-) -> Vec3 {
-    counts.camera += 1;
-    match plan.integrator {
-        IntegratorKind::Normals => normals::radiance(scene, ray),
-        IntegratorKind::Phong => phong::radiance(scene, plan, ray, counts),
-        IntegratorKind::Whitted => whitted::radiance(scene, plan, ray, media, sampler, counts),
+/// A scene made ready for rendering by its plan.
+pub struct Integrator<'a> {
+    scene: &'a Scene,
+    plan: &'a Plan,
+    /// What the path tracer looks up; `None` for the others.
+    path: Option<PathTables>,
+}
+
+/// What a camera ray meets first.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct FirstHit {
+    /// Unit shading normal in the world, on the viewer's side.
+    pub normal: DVec3,
+    /// Share of the light that is reflected or transmitted.
+    pub albedo: Vec3,
+    pub distance: f64,
+}
+
+impl<'a> Integrator<'a> {
+    /// Builds the tables that the plan asks for. An error tells that a picture of the environment cannot be decoded.
+    pub fn new(scene: &'a Scene, plan: &'a Plan) -> Result<Self> {
+        let path = match plan.integrator {
+            IntegratorKind::Path => Some(PathTables::new(scene, plan)?),
+            _ => None,
+        };
+        Ok(Self { scene, plan, path })
+    }
+
+    /// The radiance along a camera ray.
+    ///
+    /// `media` are the glasses around the ray's origin. The counts of rays grow by what was traced; the sampler delivers
+    /// random decisions.
+    #[inline]
+    pub fn radiance(&self, ray: &Ray, media: &MediumStack, sampler: &mut PixelSampler, counts: &mut RayCounts) -> Vec3 {
+        let Self { scene, plan, path } = self;
+        counts.camera += 1;
+        match plan.integrator {
+            IntegratorKind::Normals => normals::radiance(scene, ray),
+            IntegratorKind::Phong => phong::radiance(scene, plan, ray, counts),
+            IntegratorKind::Whitted => whitted::radiance(scene, plan, ray, media, sampler, counts),
+            IntegratorKind::Path => match path {
+                Some(tables) => path::radiance(scene, plan, tables, ray, media, sampler, counts),
+                None => Vec3::ZERO,
+            },
+        }
+    }
+
+    /// The glasses that enclose a point from which rays start, outermost first: a camera may stand in water.
+    pub fn media_around(&self, point: DVec3) -> MediumStack {
+        media::media_around(self.scene, self.plan, point)
+    }
+
+    /// What a camera ray meets first; `None` if nothing.
+    pub fn first_hit(&self, ray: &Ray) -> Option<FirstHit> {
+        let hit = self.scene.shapes.intersect(ray)?;
+        let surface = self.scene.shapes.surface(ray, &hit);
+        let albedo = self.scene.materials[surface.material as usize].albedo(surface.texture_coordinates);
+        Some(FirstHit { normal: View::new(&surface, ray.direction).shading_normal, albedo, distance: hit.t })
     }
 }

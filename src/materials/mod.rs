@@ -99,6 +99,16 @@ impl Material {
         if let Material::Light { radiance } = self { *radiance } else { Vec3::ZERO }
     }
 
+    /// True if the surface sends out light by itself.
+    pub fn shines(&self) -> bool {
+        self.emission() != Vec3::ZERO
+    }
+
+    /// Share of the light that is reflected or transmitted at one place; 0 for debugging colours and pure lights.
+    pub fn albedo(&self, texture_coordinates: DVec2) -> Vec3 {
+        self.scattering(texture_coordinates, 1.0).map_or(Vec3::ZERO, |scattering| scattering.albedo())
+    }
+
     /// True if light passes through.
     pub fn transmits(&self) -> bool {
         matches!(self, Material::Glass { .. })
@@ -107,6 +117,21 @@ impl Material {
     /// True if rays are sent on in one direction: mirrors and glass.
     pub fn reflects_specularly(&self) -> bool {
         matches!(self, Material::Mirror { .. } | Material::Glass { .. })
+    }
+
+    /// True if all light goes on in single directions: mirrors, smooth metal and smooth glass, which can focus it.
+    pub fn focuses(&self) -> bool {
+        self.any_place().is_some_and(|scattering| scattering.is_specular())
+    }
+
+    /// True if some light goes on in all directions, so that light sources can be seen by it.
+    pub fn scatters(&self) -> bool {
+        self.any_place().is_some_and(|scattering| !scattering.is_specular())
+    }
+
+    /// The scattering function somewhere, at some boundary.
+    fn any_place(&self) -> Option<Scattering<'_>> {
+        self.scattering(DVec2::ZERO, 1.5)
     }
 
     /// True if light is weakened on its way through.

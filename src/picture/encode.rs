@@ -6,6 +6,7 @@ use image::codecs::hdr::HdrEncoder;
 use image::codecs::jpeg::JpegEncoder;
 use image::{ExtendedColorType, ImageError};
 
+use super::remark::with_remark;
 use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, openexr, write_atomically};
 use crate::colour::ToneMap;
 use crate::error::{Error, Result};
@@ -26,12 +27,46 @@ impl Default for WriteOptions {
     }
 }
 
+/// What a file may hold beside the picture.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Extras<'a> {
+    /// Only OpenEXR files can hold layers.
+    pub layers: &'a [SideLayer<'a>],
+    /// A remark for those who look at the file's properties, in ASCII.
+    pub remark: Option<&'a str>,
+}
+
+/// A raster that lies beside the picture in the same file.
+#[derive(Debug, Clone, Copy)]
+pub struct SideLayer<'a> {
+    pub name: &'a str,
+    /// Names of the components that are written, such as `["X", "Y", "Z"]`; one to three.
+    pub channels: &'a [&'a str],
+    pub raster: &'a Raster,
+}
+
 /// Writes a raster as the file format that the extension of `path` names. The file is there whole or not at all.
 pub fn write(raster: &Raster, path: &Path, options: &WriteOptions) -> Result<()> {
+    write_with(raster, path, options, Extras::default())
+}
+
+/// Writes a raster and what belongs to it. An error if there are layers and the format cannot hold them.
+pub fn write_with(raster: &Raster, path: &Path, options: &WriteOptions, extras: Extras) -> Result<()> {
     let format = OutputFormat::of_path(path)?;
     check_target(path)?;
-    let encoded = encode(raster, format, options).map_err(|error| error.in_file(path))?;
-    write_atomically(path, &encoded)
+    if format != OutputFormat::Exr && !extras.layers.is_empty() {
+        return Err(Error::new("this format holds no layers").in_file(path).expected("the extension .exr"));
+    }
+    let encoded = match format {
+        OutputFormat::Exr => openexr::encode(raster, extras.layers, extras.remark),
+        _ => encode(raster, format, options),
+    };
+    let encoded = encoded.map_err(|error| error.in_file(path))?;
+    let remarked = match extras.remark {
+        Some(remark) => with_remark(encoded, format, remark),
+        None => encoded,
+    };
+    write_atomically(path, &remarked)
 }
 
 /// The bytes of a file that holds the raster.
@@ -48,7 +83,7 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
         }
         (OutputFormat::Jpeg, _) => encode_jpeg(raster, options),
         (OutputFormat::Hdr, _) => encode_hdr(raster),
-        (OutputFormat::Exr, _) => openexr::encode(raster),
+        (OutputFormat::Exr, _) => openexr::encode(raster, &[], None),
     }
 }
 

@@ -15,13 +15,14 @@ mod output_format;
 mod pixel_codecs;
 mod png;
 mod raster;
+mod remark;
 mod texels;
 mod texture;
 
 pub use atomic_file::{check_target, write_atomically};
 pub use bilinear::Footprint;
 pub use decode::{decode, read, read_file_header, read_header};
-pub use encode::{WriteOptions, encode, write};
+pub use encode::{Extras, SideLayer, WriteOptions, encode, write, write_with};
 pub use format::Format;
 pub use openexr::{EnvironmentLayout, exr_environment};
 pub use output_format::OutputFormat;

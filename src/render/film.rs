@@ -1,154 +1,94 @@
-//! The rendering loop.
+//! The film: what the samples of every pixel add up to.
 
-use rayon::prelude::*;
-
-use super::progress::Progress;
-use crate::envmap::{Face, Lookup};
-use crate::error::{Error, Result};
-use crate::integrators::{RayCounts, media_around, radiance};
-use crate::materials::MediumStack;
-use crate::math::{DVec3, Ray, Vec3};
+use super::layers::{LayerSums, Layers};
+use super::tile::Tile;
+use crate::integrators::{FirstHit, RayCounts};
+use crate::math::{DVec3, Vec3};
 use crate::picture::Raster;
-use crate::sampling::PixelSampler;
-use crate::scene::{Plan, Scene};
 
-/// Side of a tile in pixels: small enough to balance the load, large enough to keep rays coherent.
-const TILE: usize = 16;
-
-/// A finished picture and what it cost.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Rendering {
-    /// Linear radiance.
-    pub raster: Raster,
+/// The part of the film under one tile, all its pixels with the same count of samples.
+#[derive(Debug, Clone)]
+pub(super) struct TileFilm {
+    pub tile: Tile,
+    /// Samples a pixel so far.
+    pub samples: u32,
     pub counts: RayCounts,
+    /// Sums of radiance times filter weight, in `f64` so that many samples do not lose the small ones.
+    weighted: Vec<DVec3>,
+    /// Sums of radiance and of filter weights; `None` for filters whose samples all count the same.
+    uneven: Option<Vec<(DVec3, f64)>>,
+    /// `None` unless layers were asked for.
+    layers: Option<Vec<LayerSums>>,
 }
 
-/// Where a picture is taken from, and its width and height in pixels.
-struct View {
-    position: DVec3,
-    size: [usize; 2],
+impl TileFilm {
+    /// A film without samples. `even`: all samples count the same.
+    pub fn new(tile: Tile, even: bool, layers: bool) -> Self {
+        Self {
+            tile,
+            samples: 0,
+            counts: RayCounts::default(),
+            weighted: vec![DVec3::ZERO; tile.area()],
+            uneven: (!even).then(|| vec![(DVec3::ZERO, 0.0); tile.area()]),
+            layers: layers.then(|| vec![LayerSums::default(); tile.area()]),
+        }
+    }
+
+    /// Adds a sample of a pixel, counted within the tile.
+    #[inline]
+    pub fn add(&mut self, pixel: usize, radiance: Vec3, weight: f64) {
+        let radiance = radiance.as_dvec3();
+        self.weighted[pixel] += radiance * weight;
+        if let Some(uneven) = &mut self.uneven {
+            uneven[pixel].0 += radiance;
+            uneven[pixel].1 += weight;
+        }
+    }
+
+    /// Adds what the layers need of the same sample, if they were asked for.
+    #[inline]
+    pub fn add_layers(&mut self, pixel: usize, radiance: Vec3, first_hit: impl FnOnce() -> Option<FirstHit>) {
+        if let Some(layers) = &mut self.layers {
+            layers[pixel].add(radiance, first_hit());
+        }
+    }
+
+    /// The radiance a pixel shows.
+    ///
+    /// With uneven weights the mean of the weights is not exactly 1; by as much as it is off, the plain mean of the radiance
+    /// is taken away, so that an even picture stays even. The bias falls with 1/samples.
+    pub fn pixel(&self, pixel: usize) -> Vec3 {
+        let samples = f64::from(self.samples.max(1));
+        let mean = self.weighted[pixel] / samples;
+        let excess = |&(plain, weights): &(DVec3, f64)| plain / samples * (weights / samples - 1.0);
+        let excess = self.uneven.as_ref().map_or(DVec3::ZERO, |uneven| excess(&uneven[pixel]));
+        (mean - excess).as_vec3()
+    }
 }
 
-/// A part of the picture.
-struct Tile {
-    x: usize,
-    y: usize,
-    width: usize,
-    height: usize,
-}
-
-/// Renders the scene on the threads of the current pool. Every pixel depends on the scene alone, so the result is
-/// the same on any number of threads.
-///
-/// An error tells that a picture of the environment could not be decoded, or that the rendering was cancelled.
-pub fn render(scene: &Scene, plan: &Plan, progress: &impl Progress) -> Result<Rendering> {
-    let camera = &scene.camera;
-    let view = View { position: camera.position(), size: camera.size() };
-    render_rays(scene, plan, view, |x, y| camera.ray(x, y), progress)
-}
-
-/// Renders the image that `lookup` reads for a face, seen from a point: each texel looks along its own direction.
-/// The inverse of [`CubeMap::sample`](crate::envmap::CubeMap::sample), from the same table.
-pub fn bake_face(
-    scene: &Scene,
-    plan: &Plan,
-    lookup: &Lookup,
-    face: Face,
-    size: usize,
-    position: DVec3,
-    progress: &impl Progress,
-) -> Result<Rendering> {
-    let ray = |x: f64, y: f64| {
-        let direction = lookup.image_direction(face, x / size as f64, y / size as f64);
-        Ray::new(position, direction.normalize())
-    };
-    render_rays(scene, plan, View { position, size: [size, size] }, ray, progress)
-}
-
-/// Renders a picture whose places in pixels, from the top left corner, look along given rays.
-fn render_rays(
-    scene: &Scene,
-    plan: &Plan,
-    view: View,
-    ray_through: impl Fn(f64, f64) -> Ray + Sync,
-    progress: &impl Progress,
-) -> Result<Rendering> {
-    let [width, height] = view.size;
-    let media = media_around(scene, plan, view.position);
-    let tiles = tiles(width, height);
-    let finished: Vec<(Vec<Vec3>, RayCounts)> = tiles
-        .par_iter()
-        .map(|tile| {
-            if progress.cancelled() {
-                return Err(cancelled());
-            }
-            let pixel = |x, y, counts: &mut RayCounts| render_pixel(scene, plan, [x, y], &media, &ray_through, counts);
-            let (pixels, counts) = render_tile(tile, pixel, progress);
-            if progress.cancelled() {
-                return Err(cancelled());
-            }
-            if let Some(error) = scene.environment.error() {
-                return Err(error.clone());
-            }
-            progress.advance(pixels.len() as u64, counts.traced());
-            Ok((pixels, counts))
-        })
-        .collect::<Result<_>>()?;
+/// The picture on the film of all tiles.
+pub(super) fn develop(tiles: &[TileFilm], [width, height]: [usize; 2]) -> Raster {
     let mut raster = Raster::filled(width, height, Vec3::ZERO);
-    let mut counts = RayCounts::default();
-    for (tile, (pixels, tile_counts)) in tiles.iter().zip(finished) {
-        for (row, line) in pixels.chunks_exact(tile.width).enumerate() {
+    for film in tiles {
+        let tile = film.tile;
+        for row in 0..tile.height {
             let start = (tile.y + row) * width + tile.x;
-            raster.pixels_mut()[start..start + tile.width].copy_from_slice(line);
-        }
-        counts += tile_counts;
-    }
-    Ok(Rendering { raster, counts })
-}
-
-fn cancelled() -> Error {
-    Error::new("cancelled: nothing was written")
-}
-
-fn tiles(width: usize, height: usize) -> Vec<Tile> {
-    let corners = (0..height).step_by(TILE).flat_map(|y| (0..width).step_by(TILE).map(move |x| (x, y)));
-    corners.map(|(x, y)| Tile { x, y, width: TILE.min(width - x), height: TILE.min(height - y) }).collect()
-}
-
-fn render_tile(
-    tile: &Tile,
-    pixel: impl Fn(usize, usize, &mut RayCounts) -> Vec3,
-    progress: &impl Progress,
-) -> (Vec<Vec3>, RayCounts) {
-    let mut counts = RayCounts::default();
-    let mut pixels = Vec::with_capacity(tile.width * tile.height);
-    for y in tile.y..tile.y + tile.height {
-        for x in tile.x..tile.x + tile.width {
-            // With many samples a pixel takes long: a cancelled tile is not finished, nobody will see it.
-            if progress.cancelled() {
-                return (pixels, counts);
+            for (column, pixel) in raster.pixels_mut()[start..start + tile.width].iter_mut().enumerate() {
+                *pixel = film.pixel(row * tile.width + column);
             }
-            pixels.push(pixel(x, y, &mut counts));
         }
     }
-    (pixels, counts)
+    raster
 }
 
-/// The mean over the samples of a pixel, summed in `f64` so that many samples do not lose the small ones.
-fn render_pixel(
-    scene: &Scene,
-    plan: &Plan,
-    [x, y]: [usize; 2],
-    media: &MediumStack,
-    ray_through: &impl Fn(f64, f64) -> Ray,
-    counts: &mut RayCounts,
-) -> Vec3 {
-    let mut sum = DVec3::ZERO;
-    for index in 0..scene.samples {
-        let mut sampler = PixelSampler::new(x, y, index);
-        let [across, down] = sampler.place(scene.samples);
-        let ray = ray_through(x as f64 + across, y as f64 + down);
-        sum += radiance(scene, plan, &ray, media, &mut sampler, counts).as_dvec3();
+/// The layers on the film of all tiles; `None` if they were not asked for.
+pub(super) fn develop_layers(tiles: &[TileFilm], [width, height]: [usize; 2]) -> Option<Layers> {
+    let mut layers = Layers::blank(width, height);
+    for film in tiles {
+        let sums = film.layers.as_ref()?;
+        for (pixel, [x, y]) in film.tile.pixels().enumerate() {
+            layers.set(x, y, &sums[pixel], film.samples);
+        }
     }
-    (sum / f64::from(scene.samples)).as_vec3()
+    Some(layers)
 }

@@ -2,8 +2,15 @@
 
 mod axis_shots;
 mod film;
+mod layers;
 mod progress;
+mod progressive;
+mod ray_source;
+mod renderer;
+mod tile;
 
 pub use axis_shots::{AxisShot, front};
-pub use film::{Rendering, bake_face, render};
+pub use layers::Layers;
 pub use progress::{Progress, Silent};
+pub use progressive::{Budget, render_progressively};
+pub use renderer::{Renderer, Rendering, bake_face, render};

@@ -2,8 +2,8 @@
 
 /// Told by the renderer how far it is; asked by it whether to stop.
 pub trait Progress: Sync {
-    /// Some pixels are finished and some rays traced since the last call.
-    fn advance(&self, pixels: u64, rays: u64);
+    /// Some samples of pixels are finished and some rays traced since the last call.
+    fn advance(&self, samples: u64, rays: u64);
 
     /// True if the picture is not wanted any more.
     fn cancelled(&self) -> bool {
@@ -15,5 +15,5 @@ pub trait Progress: Sync {
 pub struct Silent;
 
 impl Progress for Silent {
-    fn advance(&self, _pixels: u64, _rays: u64) {}
+    fn advance(&self, _samples: u64, _rays: u64) {}
 }

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::envmap::Face;
 use crate::integrators::RayCounts;
+use crate::render::Rendering;
 use crate::scene::{Plan, Scene};
 
 /// The report of `skycube render`.
@@ -19,6 +20,8 @@ pub struct RenderReport {
     pub height: usize,
     /// Samples a pixel.
     pub samples: u32,
+    /// True if Ctrl-C ended it before all samples were taken.
+    pub stopped: bool,
     pub integrator: &'static str,
     pub seconds: Seconds,
     pub rays: RayCounts,
@@ -40,7 +43,8 @@ pub struct Seconds {
 
 impl RenderReport {
     /// A report from the times at which loading, rendering and writing were finished, counted from the start.
-    pub fn new(scene: &Scene, plan: &Plan, picture: &Path, rays: RayCounts, finished: [Duration; 3]) -> Self {
+    pub fn new(scene: &Scene, plan: &Plan, picture: &Path, rendering: &Rendering, finished: [Duration; 3]) -> Self {
+        let rays = rendering.counts;
         let [loaded, rendered, written] = finished.map(|time| time.as_secs_f64());
         let seconds =
             Seconds { loading: loaded, rendering: rendered - loaded, writing: written - rendered, total: written };
@@ -52,7 +56,8 @@ impl RenderReport {
             picture: picture.display().to_string(),
             width,
             height,
-            samples: scene.samples,
+            samples: rendering.samples,
+            stopped: rendering.stopped,
             integrator: scene.integrator.kind.name(),
             seconds,
             rays,
@@ -73,6 +78,9 @@ impl fmt::Display for RenderReport {
         let Self { picture, width, height, samples, integrator, seconds, rays, .. } = self;
         let unit = if *samples == 1 { "sample" } else { "samples" };
         writeln!(formatter, "wrote {picture}: {width} x {height} pixels, {samples} {unit} each, {integrator}")?;
+        if self.stopped {
+            writeln!(formatter, "      stopped by Ctrl-C: the picture is complete but noisier than asked for")?;
+        }
         writeln!(
             formatter,
             "time  {:.2} s: loading {:.2}, rendering {:.2}, writing {:.2}",

@@ -84,9 +84,20 @@ impl Aggregate {
     /// True if something that casts shadows is met within `limit`.
     #[inline]
     pub fn occluded(&self, ray: &Ray, limit: f64) -> bool {
+        self.any_hit::<true>(ray, limit)
+    }
+
+    /// True if anything is met within `limit`, even what casts no shadows.
+    #[inline]
+    pub fn blocked(&self, ray: &Ray, limit: f64) -> bool {
+        self.any_hit::<false>(ray, limit)
+    }
+
+    #[inline]
+    fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64) -> bool {
         let occludes = |shape: u32| {
             let primitive = &self.primitives[shape as usize];
-            primitive.casts_shadow && primitive.occludes(ray, shape, limit)
+            (primitive.casts_shadow || !SHADOWING) && primitive.occludes(ray, shape, limit)
         };
         if self.listed.iter().any(|&shape| occludes(shape)) {
             return true;

@@ -13,6 +13,7 @@ use crate::envmap::Environment;
 use crate::error::Result;
 use crate::lights::Light;
 use crate::materials::Material;
+use crate::sampling::Sampling;
 
 /// Everything a picture is computed from.
 #[derive(Debug)]
@@ -20,6 +21,8 @@ pub struct Scene {
     pub camera: Camera,
     /// Samples a pixel.
     pub samples: u32,
+    /// How the samples are chosen.
+    pub sampling: Sampling,
     pub integrator: IntegratorSettings,
     pub output: OutputSettings,
     pub environment: Environment,
@@ -51,6 +54,7 @@ impl Scene {
         Self {
             camera,
             samples: 1,
+            sampling: Sampling::default(),
             integrator: IntegratorSettings::default(),
             output: OutputSettings::default(),
             environment,
@@ -64,7 +68,7 @@ impl Scene {
     fn from_document(document: &Document, file: &Path, map_override: Option<PathBuf>) -> Result<Self> {
         let parsed = document.parse()?;
         let mut root = document.root(&parsed);
-        let (camera, samples) = camera::read(root.required("camera")?.table()?)?;
+        let (camera, samples, sampling) = camera::read(root.required("camera")?.table()?)?;
         let integrator = IntegratorSettings::read(optional_table(&mut root, "integrator")?)?;
         let output = OutputSettings::read(optional_table(&mut root, "output")?)?;
         if map_override.is_some() && !root.has("environment") {
@@ -101,7 +105,7 @@ impl Scene {
         root.finish()?;
         let shapes = Aggregate::new(primitives);
         let environment = surroundings.environment;
-        Ok(Self { camera, samples, integrator, output, environment, materials, lights, shapes, sources })
+        Ok(Self { camera, samples, sampling, integrator, output, environment, materials, lights, shapes, sources })
     }
 }
 

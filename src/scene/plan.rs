@@ -2,10 +2,11 @@
 
 use super::Aggregate;
 use super::load::Scene;
-use super::settings::IntegratorKind;
+use super::settings::{Caustics, IntegratorKind, Strategy};
 use crate::envmap::EnvironmentKind;
 use crate::lights::Light;
 use crate::materials::Material;
+use crate::math::Vec3;
 
 /// Computed once from the scene, obeyed by the integrators, printed by `render`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -15,6 +16,16 @@ pub struct Plan {
     pub direct_light: bool,
     /// Shadow rays are cast: there is direct light from a place or direction.
     pub shadow_rays: bool,
+    /// How the path tracer finds light sources with an extent.
+    pub strategy: Strategy,
+    /// The path tracer sends rays to light sources with an extent: there are such, and surfaces that are not all mirrors
+    /// and smooth glass.
+    pub light_sampling: bool,
+    /// Tables are built that draw directions by the brightness of the environment.
+    pub environment_sampling: bool,
+    /// Light is sent ahead to learn where mirrors and glass focus it: there are such, and surfaces to show it. (Left out
+    /// after all if no light source is small and bright.)
+    pub caustics: bool,
     /// Mirror directions are followed: there is a mirror or glass.
     pub reflection: bool,
     /// Rays are followed through surfaces: there is glass.
@@ -33,18 +44,32 @@ impl Plan {
     /// The plan of a scene.
     pub fn new(scene: &Scene) -> Self {
         let integrator = scene.integrator.kind;
-        let traces = integrator == IntegratorKind::Whitted && scene.integrator.depth > 0;
+        let (whitted, path) = (integrator == IntegratorKind::Whitted, integrator == IntegratorKind::Path);
+        let traces = (whitted || path) && scene.integrator.depth > 0;
         // Materials count only where a shape shows them.
         let numbers = || scene.shapes.primitives().iter().flat_map(|primitive| primitive.material.numbers());
         let any =
             |property: fn(&Material) -> bool| numbers().any(|&number| property(&scene.materials[number as usize]));
         let shadowing = scene.shapes.primitives().iter().any(|primitive| primitive.casts_shadow);
-        let shades = integrator != IntegratorKind::Normals && any(Material::lit_by_sources);
+        let shown_by: fn(&Material) -> bool = if path { Material::scatters } else { Material::lit_by_sources };
+        let shades = integrator != IntegratorKind::Normals && any(shown_by);
         let refraction = traces && any(Material::transmits);
-        let reflection = traces && any(Material::reflects_specularly);
+        let reflection = traces && (any(Material::reflects_specularly) || path && (shades || any(Material::focuses)));
+        let strategy = scene.integrator.strategy;
+        let samples_lights = path && traces && shades && strategy != Strategy::Bsdf;
+        let shines =
+            !matches!(scene.environment.kind, EnvironmentKind::Constant(Vec3::ZERO)) && scene.environment.scale > 0.0;
+        let environment_sampling = samples_lights && shines;
+        let light_sampling = environment_sampling || samples_lights && any(Material::shines);
+        let searches = scene.integrator.caustics == Caustics::Auto;
         Self {
             integrator,
-            direct_light: shades && !scene.lights.is_empty(),
+            strategy,
+            caustics: light_sampling && searches && any(Material::focuses),
+            light_sampling,
+            environment_sampling,
+            // Ambient light stands in for what the path tracer computes.
+            direct_light: shades && scene.lights.iter().any(|light| !path || light.casts_shadows()),
             shadow_rays: shades && shadowing && scene.lights.iter().any(Light::casts_shadows),
             reflection,
             refraction,
@@ -54,6 +79,23 @@ impl Plan {
                 && matches!(scene.environment.kind, EnvironmentKind::CubeMap(_) | EnvironmentKind::Equirectangular(_)),
             roulette: reflection && scene.integrator.weight_cutoff > 0.0,
         }
+    }
+
+    /// What only the path tracer could do and leaves out.
+    fn left_out_by_path(&self, scene: &Scene, item: &mut impl FnMut(bool, &str)) {
+        let ambient = scene.lights.iter().any(|light| !light.casts_shadows());
+        item(ambient, "ambient light: it stands in for the light between surfaces, which is computed");
+        let reason = match self.strategy {
+            Strategy::Bsdf => "strategy bsdf",
+            _ => "no shining shape, no environment, or nothing but mirrors and smooth glass",
+        };
+        item(!self.light_sampling, &format!("{reason}: no rays sent to lights with an extent"));
+        item(self.light_sampling && !self.environment_sampling, "black environment: no tables to sample it");
+        let reason = match scene.integrator.caustics {
+            Caustics::Off => "caustics off",
+            Caustics::Auto => "no mirror and no smooth glass beside other surfaces",
+        };
+        item(!self.caustics, &format!("{reason}: no light sent ahead to find caustics"));
     }
 
     /// What is left out and why, one sentence an item.
@@ -67,9 +109,16 @@ impl Plan {
         let normals = self.integrator == IntegratorKind::Normals;
         item(normals, "normals only: no light, no environment, no secondary rays");
         if !normals {
-            let reason = if scene.lights.is_empty() { "no lights" } else { "nothing that lights shade" };
-            item(!self.direct_light, &format!("{reason}: no direct light, no shadow rays"));
+            let none = match self.integrator {
+                IntegratorKind::Path => "no point, spot or directional light",
+                _ => "no lights",
+            };
+            let reason = if scene.lights.is_empty() { none } else { "nothing that lights shade" };
+            item(!self.direct_light, &format!("{reason}: no light from a single direction, no shadow rays to it"));
             item(self.direct_light && !self.shadow_rays, "nothing that could be shadowed: no shadow rays");
+            if self.integrator == IntegratorKind::Path {
+                self.left_out_by_path(scene, &mut item);
+            }
             let local = self.integrator == IntegratorKind::Phong || scene.integrator.depth == 0;
             item(local, "local light only: no reflected or refracted rays");
             item(!local && !self.reflection, "no mirror and no glass: no reflected rays");

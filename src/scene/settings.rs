@@ -13,6 +13,35 @@ pub struct IntegratorSettings {
     /// Rays that carry less than this share of the pixel are followed at random, the survivors weighted up: the
     /// picture gains noise below this share but no bias. 0 follows all.
     pub weight_cutoff: f32,
+    /// How the path tracer finds light.
+    pub strategy: Strategy,
+    /// Whether the path tracer sends light ahead to learn where glass and mirrors focus it.
+    pub caustics: Caustics,
+}
+
+/// How the path tracer finds light sources from a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Strategy {
+    /// Only where the material sends rays: good for large lights and sharp materials.
+    Bsdf,
+    /// Only by rays to the light sources: good for small lights and dull materials.
+    Light,
+    /// Both, weighted by how well each could have found the way (multiple importance sampling: Veach and Guibas,
+    /// Optimally Combining Sampling Techniques for Monte Carlo Rendering, 1995).
+    #[default]
+    Mis,
+}
+
+/// Whether light that glass and mirrors focus is searched for from its source.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
+#[serde(rename_all = "lowercase")]
+pub enum Caustics {
+    /// Where the scene can have bright ones.
+    #[default]
+    Auto,
+    /// Never: they are still found, by chance, with much noise.
+    Off,
 }
 
 /// The ways to compute a picture.
@@ -26,6 +55,8 @@ pub enum IntegratorKind {
     /// Local light, shadows, reflection and refraction (Whitted, 1980).
     #[default]
     Whitted,
+    /// All light, along random paths (Kajiya, The Rendering Equation, 1986).
+    Path,
 }
 
 /// What is written.
@@ -36,7 +67,13 @@ pub struct OutputSettings {
 
 impl Default for IntegratorSettings {
     fn default() -> Self {
-        Self { kind: IntegratorKind::default(), depth: 8, weight_cutoff: 1.0 / 1024.0 }
+        Self {
+            kind: IntegratorKind::default(),
+            depth: 8,
+            weight_cutoff: 1.0 / 1024.0,
+            strategy: Strategy::default(),
+            caustics: Caustics::default(),
+        }
     }
 }
 
@@ -47,6 +84,21 @@ impl IntegratorKind {
             IntegratorKind::Normals => "normals",
             IntegratorKind::Phong => "phong",
             IntegratorKind::Whitted => "whitted",
+            IntegratorKind::Path => "path",
+        }
+    }
+}
+
+impl Strategy {
+    /// All strategies.
+    pub const ALL: [Self; 3] = [Self::Bsdf, Self::Light, Self::Mis];
+
+    /// The name in scenes and on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Strategy::Bsdf => "bsdf",
+            Strategy::Light => "light",
+            Strategy::Mis => "mis",
         }
     }
 }
@@ -60,6 +112,7 @@ impl IntegratorSettings {
                 ("normals", IntegratorKind::Normals),
                 ("phong", IntegratorKind::Phong),
                 ("whitted", IntegratorKind::Whitted),
+                ("path", IntegratorKind::Path),
             ])?;
         }
         if let Some(depth) = table.optional("depth") {
@@ -68,6 +121,12 @@ impl IntegratorSettings {
         if let Some(cutoff) = table.optional("weight_cutoff") {
             let number = cutoff.number_where("a number from 0 to 1", |number| (0.0..=1.0).contains(&number))?;
             settings.weight_cutoff = number as f32;
+        }
+        if let Some(strategy) = table.optional("strategy") {
+            settings.strategy = strategy.choice(&Strategy::ALL.map(|strategy| (strategy.name(), strategy)))?;
+        }
+        if let Some(caustics) = table.optional("caustics") {
+            settings.caustics = caustics.choice(&[("auto", Caustics::Auto), ("off", Caustics::Off)])?;
         }
         table.finish()?;
         Ok(settings)

@@ -1,10 +1,10 @@
 //! Discs, and ellipses that uneven scales make of them: points uniform in the area.
 
-use std::f64::consts::{FRAC_PI_4, PI};
+use std::f64::consts::PI;
 
 use super::ShapeSample;
-use crate::math::functions::{cos, sin};
-use crate::math::{DVec3, Transform};
+use crate::math::{DVec2, DVec3, Transform};
+use crate::sampling::warp::concentric_disc;
 
 /// Draws points of a disc.
 #[derive(Debug)]
@@ -34,21 +34,8 @@ impl DiscSampler {
 
     #[inline]
     pub(super) fn sample_towards(&self, point: DVec3, place: [f64; 2]) -> Option<ShapeSample> {
-        let [x, y] = onto_disc(place);
+        let DVec2 { x, y } = concentric_disc(place);
         let position = self.centre + self.radii[0] * x + self.radii[1] * y;
         ShapeSample::by_area(point, position, self.normal, self.area, 0)
     }
-}
-
-/// Squares around the middle become circles: keeps areas and strata (Shirley and Chiu, A Low Distortion Map Between
-/// Disk and Square, 1997).
-#[inline]
-fn onto_disc(place: [f64; 2]) -> [f64; 2] {
-    let [x, y] = place.map(|coordinate| 2.0 * coordinate - 1.0);
-    if x == 0.0 && y == 0.0 {
-        return [0.0, 0.0];
-    }
-    let (radius, angle) =
-        if x.abs() > y.abs() { (x, FRAC_PI_4 * (y / x)) } else { (y, 2.0 * FRAC_PI_4 - FRAC_PI_4 * (x / y)) };
-    [radius * cos(angle), radius * sin(angle)]
 }

@@ -1,0 +1,117 @@
+//! Where focused light starts: rays from bright sources towards the glass and mirrors of a scene.
+//!
+//! ```text
+//!     source, far away      disc around a mirror or glass,      The rays of a bundle start beside one another, moved
+//!        \  \  \  \         facing the source                   along the disc, or turned about its point: how they
+//!         \  \  \  \  ___                                       spread tells how the light is focused.
+//!          \  \  \ .-'   '-.
+//!           \  \  (   disc  )
+//! ```
+
+use super::super::lights::LightTables;
+use crate::colour::luminance;
+use crate::math::{Bounds, DVec3, Frame, Ray};
+use crate::sampling::PixelSampler;
+use crate::sampling::warp::concentric_disc;
+use crate::scene::Scene;
+use crate::shapes::{Geometry, Primitive};
+
+/// How much brighter than the mean of the environment its light must be to be worth sending out.
+const BRIGHT: f64 = 16.0;
+/// Sideways steps of a bundle, in radii of the disc.
+const STEP: f64 = 1e-4;
+/// Turns of a bundle, as tangents.
+const TURN: f64 = 1e-5;
+
+/// A mirror or glass with an end, as a sphere around it.
+#[derive(Debug, Clone, Copy)]
+struct Caster {
+    centre: DVec3,
+    radius: f64,
+    /// Sum of the discs' areas up to this one.
+    cumulative: f64,
+}
+
+/// The mirrors and glasses that light is sent to.
+pub(super) struct Casters {
+    casters: Vec<Caster>,
+    /// A length beyond which nothing lies that has an end.
+    reach: f64,
+}
+
+/// Rays that start close to one another.
+pub(super) struct Bundle {
+    pub ray: Ray,
+    /// Moved along the two axes of the disc.
+    pub moved: [Ray; 2],
+    /// Turned about the point on the disc.
+    pub turned: [Ray; 2],
+    /// Length of the sideways step, and of the turn.
+    pub steps: [f64; 2],
+    /// Unit direction to the source.
+    pub towards_source: DVec3,
+}
+
+impl Casters {
+    /// `None` if there are none.
+    pub fn new(scene: &Scene) -> Option<Self> {
+        let specular = |number: u32| scene.materials[number as usize].focuses();
+        let mut cumulative = 0.0;
+        let mut casters = Vec::new();
+        for primitive in scene.shapes.primitives() {
+            let Some(bounds) = primitive.bounds().filter(|_| primitive.material.numbers().iter().any(|&m| specular(m)))
+            else {
+                continue;
+            };
+            let extent = bounds.extent();
+            let round = matches!(primitive.geometry, Geometry::Sphere);
+            let radius = if round { extent.max_element() / 2.0 } else { extent.length() / 2.0 };
+            cumulative += radius * radius;
+            casters.push(Caster { centre: (bounds.minimum + bounds.maximum) / 2.0, radius, cumulative });
+        }
+        let reach = reach(scene, &casters);
+        (!casters.is_empty()).then_some(Self { casters, reach })
+    }
+
+    /// Rays from a source to a random one of them. `None` if the chosen direction is not bright.
+    pub fn bundle(&self, scene: &Scene, lights: &LightTables, sampler: &mut PixelSampler) -> Option<Bundle> {
+        let [direction_x, direction_y, disc_x, disc_y] = sampler.four().map(f64::from);
+        let [choice, light_choice, ..] = sampler.four().map(f64::from);
+        let total = self.casters.last()?.cumulative;
+        let index = self.casters.partition_point(|caster| caster.cumulative <= choice * total);
+        let caster = self.casters.get(index)?;
+        let light = lights.sample(caster.centre, [direction_x, direction_y], light_choice)?;
+        let frame = Frame::around(light.direction);
+        let point = concentric_disc([disc_x, disc_y]) * caster.radius;
+        let through = caster.centre + frame.tangent * point.x + frame.bitangent * point.y;
+        let (towards, distance) = if light.distance.is_finite() {
+            let way = caster.centre + light.direction * light.distance - through;
+            (way.normalize(), way.length())
+        } else {
+            let bright = f64::from(luminance(scene.environment.radiance(light.direction)));
+            if bright < BRIGHT * lights.mean_luminance() {
+                return None;
+            }
+            (light.direction, self.reach)
+        };
+        let start = |through: DVec3, towards: DVec3| Ray::new(through + towards * distance, -towards);
+        let axes = [frame.tangent, frame.bitangent];
+        let step = STEP * caster.radius;
+        Some(Bundle {
+            ray: start(through, towards),
+            moved: axes.map(|axis| start(through + axis * step, towards)),
+            turned: axes.map(|axis| start(through, (towards + axis * TURN).normalize())),
+            steps: [step, TURN],
+            towards_source: towards,
+        })
+    }
+}
+
+/// A length beyond which nothing with an end lies, seen from any of the spheres.
+fn reach(scene: &Scene, casters: &[Caster]) -> f64 {
+    let all = scene.shapes.primitives().iter().filter_map(Primitive::bounds).fold(Bounds::EMPTY, Bounds::union);
+    let farthest = |caster: &Caster| {
+        all.corners().into_iter().map(|corner| (corner - caster.centre).length()).fold(0.0, f64::max) + caster.radius
+    };
+    casters.iter().map(farthest).fold(0.0, f64::max)
+}
