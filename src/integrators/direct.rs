@@ -37,7 +37,7 @@ impl View {
 }
 
 /// The colour a surface shows by itself: debugging colours, or reflected light of all sources.
-#[inline]
+#[inline(always)]
 pub(super) fn local_radiance(
     scene: &Scene,
     plan: &Plan,

@@ -29,29 +29,29 @@ pub(super) fn radiance(
     counts: &mut RayCounts,
 ) -> Vec3 {
     let mut tracer = Tracer { scene, plan, sampler, counts };
-    tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media: *media })
+    tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media })
 }
 
 /// A ray on its way, with what it carries.
-struct Path {
+struct Path<'a> {
     ray: Ray,
     /// Reflections and refractions so far.
     depth: u32,
     /// Share of the pixel that this ray's radiance counts for, by channel.
     weight: Vec3,
     /// The glasses the ray is inside of.
-    media: MediumStack,
+    media: &'a MediumStack,
 }
 
 /// One branch at a specular surface.
-struct Branch {
+struct Branch<'a> {
     /// True for refraction: the ray passes the surface.
     passes: bool,
     direction: DVec3,
     side: Side,
     /// Factor on the radiance that comes back.
     factor: Vec3,
-    media: MediumStack,
+    media: &'a MediumStack,
 }
 
 struct Tracer<'a> {
@@ -62,17 +62,17 @@ struct Tracer<'a> {
 }
 
 impl Tracer<'_> {
-    fn radiance(&mut self, path: &Path) -> Vec3 {
+    fn radiance(&mut self, path: &Path<'_>) -> Vec3 {
         let scene = self.scene;
         let Some(hit) = scene.shapes.intersect(&path.ray) else {
             self.counts.environment += 1;
+            let radiance = scene.environment.radiance(path.ray.direction);
             // An unbounded way through absorbing glass lets nothing through.
-            return self.transmittance(path.media.innermost(), f64::INFINITY)
-                * scene.environment.radiance(path.ray.direction);
+            return self.transmittance(|| path.media.innermost(), f64::INFINITY) * radiance;
         };
         let surface = scene.shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
-        let transmittance = self.transmittance(medium_before(path, &surface, &view), hit.t);
+        let transmittance = self.transmittance(|| medium_before(path, &surface, &view), hit.t);
         let radiance = match &scene.materials[surface.material as usize] {
             Material::Mirror { colour } if self.plan.reflection => {
                 self.reflected(path, &surface, &view, colour.at(surface.texture_coordinates), transmittance)
@@ -84,7 +84,14 @@ impl Tracer<'_> {
     }
 
     /// What a mirror shows.
-    fn reflected(&mut self, path: &Path, surface: &Surface, view: &View, factor: Vec3, transmittance: Vec3) -> Vec3 {
+    fn reflected(
+        &mut self,
+        path: &Path<'_>,
+        surface: &Surface,
+        view: &View,
+        factor: Vec3,
+        transmittance: Vec3,
+    ) -> Vec3 {
         let direction = mirror_direction(path.ray.direction, view);
         self.follow(
             path,
@@ -95,7 +102,8 @@ impl Tracer<'_> {
     }
 
     /// What a glass shows: reflection and refraction.
-    fn refracted(&mut self, path: &Path, surface: &Surface, view: &View, transmittance: Vec3) -> Vec3 {
+    #[inline(never)]
+    fn refracted(&mut self, path: &Path<'_>, surface: &Surface, view: &View, transmittance: Vec3) -> Vec3 {
         let medium = Medium { shape: surface.id.shape, material: surface.material };
         let beyond = match view.side {
             Side::Front => path.media.entering(medium),
@@ -118,7 +126,7 @@ impl Tracer<'_> {
                 direction: on_side(refracted, -view.normal),
                 side: view.side.opposite(),
                 factor: Vec3::ONE - reflectance,
-                media: beyond,
+                media: &beyond,
             };
             radiance += self.follow(path, surface, transmittance, branch);
         }
@@ -126,7 +134,7 @@ impl Tracer<'_> {
     }
 
     /// Follows a branch, unless depth or weight end it.
-    fn follow(&mut self, path: &Path, surface: &Surface, transmittance: Vec3, branch: Branch) -> Vec3 {
+    fn follow(&mut self, path: &Path<'_>, surface: &Surface, transmittance: Vec3, branch: Branch<'_>) -> Vec3 {
         if path.depth >= self.scene.integrator.depth {
             self.counts.cut_by_depth += 1;
             return Vec3::ZERO;
@@ -160,10 +168,13 @@ impl Tracer<'_> {
     }
 
     /// Share of the light that is left after a way through a glass.
-    fn transmittance(&self, medium: Option<Medium>, distance: f64) -> Vec3 {
-        if !self.plan.absorption {
-            return Vec3::ONE;
-        }
+    #[inline(always)]
+    fn transmittance(&self, medium: impl FnOnce() -> Option<Medium>, distance: f64) -> Vec3 {
+        if self.plan.absorption { self.absorption(medium(), distance) } else { Vec3::ONE }
+    }
+
+    #[inline(never)]
+    fn absorption(&self, medium: Option<Medium>, distance: f64) -> Vec3 {
         let Some((_, absorption)) = self.glass_of(medium) else { return Vec3::ONE };
         absorption.to_array().map(|coefficient| beer_lambert(coefficient, distance)).into()
     }
@@ -179,7 +190,7 @@ impl Tracer<'_> {
 
 /// The glass a path came through to a surface. A glass whose inside is met without having been entered (its surface
 /// coincides with another's, where rounding decides what is met first) is what the path came through.
-fn medium_before(path: &Path, surface: &Surface, view: &View) -> Option<Medium> {
+fn medium_before(path: &Path<'_>, surface: &Surface, view: &View) -> Option<Medium> {
     let met = Medium { shape: surface.id.shape, material: surface.material };
     let unknown = view.side == Side::Back && !path.media.contains(met.shape);
     if unknown { Some(met) } else { path.media.innermost() }

@@ -4,11 +4,13 @@
 //! in the world by a transform. Intersection is computed in `f64`, so that it stays exact to an ulp of `f32` over
 //! twelve decades of scale.
 
+mod balls;
 mod cuboid;
 mod flat;
 pub mod mesh;
 mod primitive;
 mod sphere;
 
+pub use balls::Balls;
 pub use flat::Outline;
 pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};
