@@ -7,8 +7,8 @@
 //! sequence of four-wide instructions tests at once. Measured side by side on a busy machine, in million rays per
 //! second of processor time of one thread, a million triangles, camera rays / random rays from inside: this layout
 //! 2.57 / 0.62, `obvhs` as it comes 1.88 / 0.42 (`Bvh2`) and 1.61 / 0.65 (`CwBvh`). Both kinds of rays visit 15 nodes and
-//! 2 leaves; what makes random ones slow is memory, so nodes and triangles lie on large pages (1.15 to 1.3 times as
-//! many random rays, not yet in the figures above).
+//! 2 leaves; what makes random ones slow is memory, so nodes and triangles lie on large pages, which is not yet in the
+//! figures above (see [`crate::memory`]).
 
 mod binary;
 mod float_box;
