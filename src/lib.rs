@@ -3,6 +3,7 @@
 //! Read the modules in this order; none knows those below it.
 
 pub mod error;
+pub mod memory;
 
 pub mod math;
 

@@ -3,6 +3,7 @@
 use super::FloatBox;
 use super::binary::{BinaryNode, BinaryTree};
 use super::node::{Child, Node, WIDTH};
+use crate::memory::on_large_pages;
 
 /// The most boxes a leaf holds.
 pub const LEAF_CAPACITY: usize = 4;
@@ -61,7 +62,14 @@ impl Hierarchy {
             Some((_, BinaryNode::Leaf { .. })) => merge.fill(0, &[0], 1),
             Some((_, BinaryNode::Inner { left, right })) => merge.fill(0, &[*left, *right], 1),
         }
-        (merge.deepest <= DEPTH_LIMIT).then_some(merge.hierarchy)
+        (merge.deepest <= DEPTH_LIMIT).then(|| merge.hierarchy.on_large_pages())
+    }
+
+    /// The same with its nodes, which rays visit at random, on large pages.
+    fn on_large_pages(mut self) -> Self {
+        let mut nodes = on_large_pages(self.nodes.len());
+        nodes.append(&mut self.nodes);
+        Self { nodes, ..self }
     }
 }
 

@@ -43,7 +43,7 @@ pub(super) fn coordinates_colour(place: DVec2) -> Vec3 {
 }
 
 /// The colour a surface shows by itself: debugging colours, or reflected light of all sources.
-#[inline]
+#[inline(always)]
 pub(super) fn local_radiance(
     scene: &Scene,
     plan: &Plan,

@@ -23,11 +23,13 @@ impl Media<'_> {
     }
 
     /// Share of the light that is left after a way through a glass.
-    #[inline]
-    pub fn transmittance(&self, medium: Option<Medium>, distance: f64) -> Vec3 {
-        if !self.absorption {
-            return Vec3::ONE;
-        }
+    #[inline(always)]
+    pub fn transmittance(&self, medium: impl FnOnce() -> Option<Medium>, distance: f64) -> Vec3 {
+        if self.absorption { self.absorbed(medium(), distance) } else { Vec3::ONE }
+    }
+
+    #[inline(never)]
+    fn absorbed(&self, medium: Option<Medium>, distance: f64) -> Vec3 {
         let Some((_, absorption)) = self.glass_of(medium) else { return Vec3::ONE };
         absorption.to_array().map(|coefficient| beer_lambert(coefficient, distance)).into()
     }

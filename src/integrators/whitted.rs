@@ -11,9 +11,9 @@
 
 use super::RayCounts;
 use super::direct::{View, local_radiance};
+use super::media::{Media, beyond, medium_before};
 use crate::materials::fresnel::{boundary, reflect, refract};
-use crate::materials::{Material, Medium, MediumStack};
-use crate::math::functions::exponential;
+use crate::materials::{Material, MediumStack};
 use crate::math::{DVec3, Departure, Ray, Side, Vec3};
 use crate::sampling::PixelSampler;
 use crate::scene::{Plan, Scene};
@@ -28,51 +28,52 @@ pub(super) fn radiance(
     sampler: &mut PixelSampler,
     counts: &mut RayCounts,
 ) -> Vec3 {
-    let mut tracer = Tracer { scene, plan, sampler, counts };
-    tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media: *media })
+    let mut tracer = Tracer { scene, plan, media_of: Media { scene, absorption: plan.absorption }, sampler, counts };
+    tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media })
 }
 
 /// A ray on its way, with what it carries.
-struct Path {
+struct Path<'a> {
     ray: Ray,
     /// Reflections and refractions so far.
     depth: u32,
     /// Share of the pixel that this ray's radiance counts for, by channel.
     weight: Vec3,
     /// The glasses the ray is inside of.
-    media: MediumStack,
+    media: &'a MediumStack,
 }
 
 /// One branch at a specular surface.
-struct Branch {
+struct Branch<'a> {
     /// True for refraction: the ray passes the surface.
     passes: bool,
     direction: DVec3,
     side: Side,
     /// Factor on the radiance that comes back.
     factor: Vec3,
-    media: MediumStack,
+    media: &'a MediumStack,
 }
 
 struct Tracer<'a> {
     scene: &'a Scene,
     plan: &'a Plan,
+    media_of: Media<'a>,
     sampler: &'a mut PixelSampler,
     counts: &'a mut RayCounts,
 }
 
 impl Tracer<'_> {
-    fn radiance(&mut self, path: &Path) -> Vec3 {
+    fn radiance(&mut self, path: &Path<'_>) -> Vec3 {
         let scene = self.scene;
         let Some(hit) = scene.shapes.intersect(&path.ray) else {
             self.counts.environment += 1;
+            let radiance = scene.environment.radiance(path.ray.direction);
             // An unbounded way through absorbing glass lets nothing through.
-            return self.transmittance(path.media.innermost(), f64::INFINITY)
-                * scene.environment.radiance(path.ray.direction);
+            return self.media_of.transmittance(|| path.media.innermost(), f64::INFINITY) * radiance;
         };
         let surface = scene.shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
-        let transmittance = self.transmittance(medium_before(path, &surface, &view), hit.t);
+        let transmittance = self.media_of.transmittance(|| medium_before(path.media, &surface, &view), hit.t);
         let radiance = match &scene.materials[surface.material as usize] {
             Material::Mirror { colour } if self.plan.reflection => {
                 self.reflected(path, &surface, &view, colour.at(surface.texture_coordinates), transmittance)
@@ -84,7 +85,14 @@ impl Tracer<'_> {
     }
 
     /// What a mirror shows.
-    fn reflected(&mut self, path: &Path, surface: &Surface, view: &View, factor: Vec3, transmittance: Vec3) -> Vec3 {
+    fn reflected(
+        &mut self,
+        path: &Path<'_>,
+        surface: &Surface,
+        view: &View,
+        factor: Vec3,
+        transmittance: Vec3,
+    ) -> Vec3 {
         let direction = mirror_direction(path.ray.direction, view);
         self.follow(
             path,
@@ -95,14 +103,11 @@ impl Tracer<'_> {
     }
 
     /// What a glass shows: reflection and refraction.
-    fn refracted(&mut self, path: &Path, surface: &Surface, view: &View, transmittance: Vec3) -> Vec3 {
-        let medium = Medium { shape: surface.id.shape, material: surface.material };
-        let beyond = match view.side {
-            Side::Front => path.media.entering(medium),
-            Side::Back => path.media.leaving(medium.shape),
-        };
-        let from = self.index_inside(medium_before(path, surface, view));
-        let relative_index = from / self.index_inside(beyond.innermost());
+    #[inline(never)]
+    fn refracted(&mut self, path: &Path<'_>, surface: &Surface, view: &View, transmittance: Vec3) -> Vec3 {
+        let beyond = beyond(path.media, surface, view);
+        let from = self.media_of.index_inside(medium_before(path.media, surface, view));
+        let relative_index = from / self.media_of.index_inside(beyond.innermost());
         let direction = path.ray.direction;
         let cos_incident = -direction.dot(view.shading_normal);
         let boundary = boundary(cos_incident, relative_index);
@@ -118,7 +123,7 @@ impl Tracer<'_> {
                 direction: on_side(refracted, -view.normal),
                 side: view.side.opposite(),
                 factor: Vec3::ONE - reflectance,
-                media: beyond,
+                media: &beyond,
             };
             radiance += self.follow(path, surface, transmittance, branch);
         }
@@ -126,7 +131,7 @@ impl Tracer<'_> {
     }
 
     /// Follows a branch, unless depth or weight end it.
-    fn follow(&mut self, path: &Path, surface: &Surface, transmittance: Vec3, branch: Branch) -> Vec3 {
+    fn follow(&mut self, path: &Path<'_>, surface: &Surface, transmittance: Vec3, branch: Branch<'_>) -> Vec3 {
         if path.depth >= self.scene.integrator.depth {
             self.counts.cut_by_depth += 1;
             return Vec3::ZERO;
@@ -153,41 +158,6 @@ impl Tracer<'_> {
         let probability = weight / cutoff;
         (self.sampler.uniform() < probability).then_some(probability)
     }
-
-    /// Index of refraction inside a glass, 1 in free space.
-    fn index_inside(&self, medium: Option<Medium>) -> f64 {
-        self.glass_of(medium).map_or(1.0, |(index, _)| index)
-    }
-
-    /// Share of the light that is left after a way through a glass.
-    fn transmittance(&self, medium: Option<Medium>, distance: f64) -> Vec3 {
-        if !self.plan.absorption {
-            return Vec3::ONE;
-        }
-        let Some((_, absorption)) = self.glass_of(medium) else { return Vec3::ONE };
-        absorption.to_array().map(|coefficient| beer_lambert(coefficient, distance)).into()
-    }
-
-    /// Index and absorption of a glass.
-    fn glass_of(&self, medium: Option<Medium>) -> Option<(f64, Vec3)> {
-        match &self.scene.materials[medium?.material as usize] {
-            Material::Glass { index, absorption, .. } => Some((*index, *absorption)),
-            _ => None,
-        }
-    }
-}
-
-/// The glass a path came through to a surface. A glass whose inside is met without having been entered (its surface
-/// coincides with another's, where rounding decides what is met first) is what the path came through.
-fn medium_before(path: &Path, surface: &Surface, view: &View) -> Option<Medium> {
-    let met = Medium { shape: surface.id.shape, material: surface.material };
-    let unknown = view.side == Side::Back && !path.media.contains(met.shape);
-    if unknown { Some(met) } else { path.media.innermost() }
-}
-
-/// `e^(-coefficient * distance)`; no absorption is none over any distance.
-fn beer_lambert(coefficient: f32, distance: f64) -> f32 {
-    if coefficient == 0.0 { 1.0 } else { exponential((-f64::from(coefficient) * distance) as f32) }
 }
 
 /// The mirrored direction, kept on the ray's side of the true surface.

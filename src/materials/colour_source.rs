@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::math::functions::floor;
 use crate::math::{DVec2, Vec3};
 use crate::picture::Texture;
 
@@ -44,8 +45,8 @@ impl ColourSource {
 
 impl Checker {
     fn at(&self, texture_coordinates: DVec2) -> Vec3 {
-        let square = (texture_coordinates * self.repeat).floor();
-        if (square.x as i64 ^ square.y as i64) & 1 == 0 { self.even } else { self.odd }
+        let place = texture_coordinates * self.repeat;
+        if (floor(place.x) ^ floor(place.y)) & 1 == 0 { self.even } else { self.odd }
     }
 }
 

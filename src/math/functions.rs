@@ -109,6 +109,16 @@ pub fn cube_root(value: f32) -> f32 {
     libm::cbrtf(value)
 }
 
+/// The largest integer that is not above a number; beyond the range of the integers the nearest of them, 0 for NaN.
+///
+/// A conversion and a comparison, where `f64::floor` is a call of the C library on processors without an instruction
+/// for it.
+#[inline(always)]
+pub fn floor(value: f64) -> i64 {
+    let truncated = value as i64;
+    truncated.saturating_sub(i64::from(truncated as f64 > value))
+}
+
 /// The nearest value in `[low, high]`; NaN gives `low`.
 ///
 /// Compiles to one instruction a side, which `f32::max` and `f32::min` do not, since they treat NaN otherwise.
@@ -146,6 +156,30 @@ mod tests {
             assert!((sine * sine + cosine * cosine - 1.0).abs() < 4e-16, "{turns}");
         }
         assert_eq!(sin_cos_turns(0.25), (1.0, 0.0));
+    }
+
+    #[test]
+    fn floor_agrees_with_the_standard_library() {
+        let large = (1u64 << 62) as f64;
+        for value in [
+            0.0,
+            -0.0,
+            0.5,
+            -0.5,
+            1.0,
+            -1.0,
+            3.999,
+            -3.001,
+            1e15 + 0.5,
+            -1e15 - 0.5,
+            large,
+            -large,
+            f64::INFINITY,
+            f64::NEG_INFINITY,
+            f64::NAN,
+        ] {
+            assert_eq!(floor(value), value.floor() as i64, "{value}");
+        }
     }
 
     #[test]

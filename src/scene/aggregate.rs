@@ -2,7 +2,7 @@
 
 use crate::bvh::{FloatBox, Hierarchy, Visit};
 use crate::math::{Ray, SurfaceId};
-use crate::shapes::{Hit, Primitive, Surface};
+use crate::shapes::{Balls, Hit, Primitive, Surface};
 
 /// No shape has this number.
 const NONE: u32 = u32::MAX;
@@ -11,7 +11,9 @@ const NONE: u32 = u32::MAX;
 #[derive(Debug)]
 pub struct Aggregate {
     primitives: Vec<Primitive>,
-    /// Shapes tried one by one: all of a handful, otherwise those without end.
+    /// Round spheres of a handful, tried four at once.
+    balls: Vec<Balls>,
+    /// Shapes tried one by one: the others of a handful, otherwise those without end.
     listed: Vec<u32>,
     hierarchy: Option<BoxedShapes>,
 }
@@ -35,7 +37,7 @@ impl Aggregate {
         let bounds: Vec<_> = primitives.iter().map(Primitive::bounds).collect();
         let bounded: Vec<u32> = numbers().filter(|&shape| bounds[shape as usize].is_some()).collect();
         if bounded.len() <= Self::HANDFUL {
-            return Self { listed: numbers().collect(), primitives, hierarchy: None };
+            return Self::handful(primitives);
         }
         let boxes: Vec<FloatBox> = bounded
             .iter()
@@ -44,7 +46,16 @@ impl Aggregate {
             .collect();
         let listed = numbers().filter(|&shape| bounds[shape as usize].is_none()).collect();
         let hierarchy = Some(BoxedShapes { hierarchy: Hierarchy::build(&boxes), shapes: bounded });
-        Self { primitives, listed, hierarchy }
+        Self { primitives, balls: Vec::new(), listed, hierarchy }
+    }
+
+    /// Tries all shapes, those of one kind together.
+    fn handful(primitives: Vec<Primitive>) -> Self {
+        let numbers = 0..primitives.len() as u32;
+        let ball = |shape: u32| primitives[shape as usize].as_ball().map(|(centre, radius)| (shape, centre, radius));
+        let balls = Balls::pack(&numbers.clone().filter_map(ball).collect::<Vec<_>>());
+        let listed = numbers.filter(|&shape| ball(shape).is_none()).collect();
+        Self { balls, listed, primitives, hierarchy: None }
     }
 
     /// All shapes, by their numbers.
@@ -58,9 +69,19 @@ impl Aggregate {
     }
 
     /// The nearest hit of the ray.
-    #[inline]
+    // Always in line: the hit is used field by field at once, and would otherwise go through memory.
+    #[inline(always)]
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
         let mut nearest = Hit { t: f64::INFINITY, id: SurfaceId { shape: NONE, part: 0 }, barycentric: [0.0; 3] };
+        for balls in &self.balls {
+            balls.hits(ray, |shape, t| {
+                if t < nearest.t {
+                    nearest.t = t;
+                    nearest.id = SurfaceId { shape, part: 0 };
+                }
+                false
+            });
+        }
         for &shape in &self.listed {
             self.primitives[shape as usize].find_nearer(ray, shape, &mut nearest);
         }
@@ -70,6 +91,7 @@ impl Aggregate {
         (nearest.id.shape != NONE).then_some(nearest)
     }
 
+    #[inline(never)]
     fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, nearest: &mut Hit) {
         let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return };
         boxed.hierarchy.traverse(&walk, nearest.t, |leaf| {
@@ -95,10 +117,12 @@ impl Aggregate {
 
     #[inline]
     fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64) -> bool {
-        let occludes = |shape: u32| {
-            let primitive = &self.primitives[shape as usize];
-            (primitive.casts_shadow || !SHADOWING) && primitive.occludes(ray, shape, limit)
-        };
+        let counts = |shape: u32| !SHADOWING || self.primitives[shape as usize].casts_shadow;
+        let in_the_way = |shape: u32, t: f64| t < limit && counts(shape);
+        if self.balls.iter().any(|balls| balls.hits(ray, in_the_way)) {
+            return true;
+        }
+        let occludes = |shape: u32| counts(shape) && self.primitives[shape as usize].occludes(ray, shape, limit);
         if self.listed.iter().any(|&shape| occludes(shape)) {
             return true;
         }
@@ -113,7 +137,7 @@ impl Aggregate {
     }
 
     /// The surface at a hit.
-    #[inline]
+    #[inline(always)]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         self.primitives[hit.id.shape as usize].surface(ray, hit)
     }

@@ -42,8 +42,14 @@ impl Outline {
         direction: DVec3,
         limit: f64,
     ) -> Option<f64> {
-        let distance = -(height.row.dot(origin) + height.offset) / height.row.dot(direction);
-        // A ray in the plane divides by zero: infinity or NaN fails here.
+        let above = height.row.dot(origin) + height.offset;
+        let slope = height.row.dot(direction);
+        // A ray that moves away from the plane, or along it, costs no division.
+        if !(above > 0.0 && slope < 0.0 || above < 0.0 && slope > 0.0) {
+            return None;
+        }
+        let distance = -above / slope;
+        // Underflow may leave 0, and overflow infinity.
         if !(distance > 0.0 && distance < limit) {
             return None;
         }

@@ -4,6 +4,7 @@
 //! in the world by a transform. Intersection is computed in `f64`, so that it stays exact to an ulp of `f32` over
 //! twelve decades of scale.
 
+mod balls;
 mod cuboid;
 mod flat;
 pub mod mesh;
@@ -11,6 +12,7 @@ mod primitive;
 mod sampling;
 mod sphere;
 
+pub use balls::Balls;
 pub use flat::Outline;
 pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};
 pub use sampling::{ShapeSample, ShapeSampler};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::flat::{Height, Outline};
 use super::mesh::Mesh;
 use super::{cuboid, sphere};
-use crate::math::{Bounds, DVec2, DVec3, Ray, SurfaceId, Transform};
+use crate::math::{Bounds, DVec2, DVec3, Departure, Ray, SurfaceId, Transform};
 
 /// A shape with its place and material.
 #[derive(Debug, Clone)]
@@ -118,17 +118,21 @@ impl Primitive {
     /// Replaces the hit if this shape is hit at a smaller distance.
     #[inline(always)]
     pub fn find_nearer(&self, ray: &Ray, shape: u32, nearest: &mut Hit) {
-        let limit = nearest.t;
         if let Kernel::Mesh(mesh) = &self.kernel {
-            let (origin, direction) = self.to_object(ray);
-            let leaving = ray.leaves(shape).map(|departure| (departure.surface.part, departure.side));
-            if let Some(hit) = mesh.intersect(origin, direction, limit, leaving) {
-                let id = SurfaceId { shape, part: hit.triangle };
-                *nearest = Hit { t: hit.t, id, barycentric: hit.barycentric };
-            }
-        } else if let Some((t, part)) = self.analytic(ray, shape, limit) {
+            self.find_nearer_triangle(mesh, ray, shape, nearest);
+        } else if let Some((t, part)) = self.analytic(ray, shape, nearest.t) {
             nearest.t = t;
             nearest.id = SurfaceId { shape, part };
+        }
+    }
+
+    #[inline(never)]
+    fn find_nearer_triangle(&self, mesh: &Mesh, ray: &Ray, shape: u32, nearest: &mut Hit) {
+        let (origin, direction) = self.to_object(ray);
+        let leaving = ray.leaves(shape).map(|departure| (departure.surface.part, departure.side));
+        if let Some(hit) = mesh.intersect(origin, direction, nearest.t, leaving) {
+            let id = SurfaceId { shape, part: hit.triangle };
+            *nearest = Hit { t: hit.t, id, barycentric: hit.barycentric };
         }
     }
 
@@ -159,20 +163,35 @@ impl Primitive {
             Kernel::Flat { outline, height, .. } => {
                 Some((outline.intersect(&self.transform.to_object, height, ray.origin, ray.direction, limit)?, 0))
             }
+            Kernel::Ellipsoid | Kernel::Cuboid | Kernel::Mesh(_) => self.in_own_space(ray, leaving, limit),
+        }
+    }
+
+    /// The same for shapes to whose own space the whole ray is carried.
+    #[inline(never)]
+    fn in_own_space(&self, ray: &Ray, leaving: Option<Departure>, limit: f64) -> Option<(f64, u32)> {
+        let (origin, direction) = self.to_object(ray);
+        match self.kernel {
             Kernel::Ellipsoid => {
-                let (origin, direction) = self.to_object(ray);
+                let side = leaving.map(|departure| departure.side);
                 Some((sphere::intersect(origin, direction, limit, side)?, 0))
             }
-            Kernel::Cuboid => {
-                let (origin, direction) = self.to_object(ray);
-                cuboid::intersect(origin, direction, limit, leaving)
-            }
-            Kernel::Mesh(_) => None,
+            Kernel::Cuboid => cuboid::intersect(origin, direction, limit, leaving),
+            Kernel::Ball { .. } | Kernel::Flat { .. } | Kernel::Mesh(_) => None,
+        }
+    }
+
+    /// Centre and radius in the world, if this is a sphere that its transform leaves round.
+    pub fn as_ball(&self) -> Option<(DVec3, f64)> {
+        match self.kernel {
+            Kernel::Ball { centre, radius, .. } => Some((centre, radius)),
+            _ => None,
         }
     }
 
     /// The surface where a ray hit this primitive. The point is put exactly onto the surface: what `ray.at(t)` lacks
     /// is the rounding of `t`.
+    #[inline(always)]
     pub fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {
         match &self.kernel {
             Kernel::Ball { centre, radius, .. } => {
@@ -184,27 +203,35 @@ impl Primitive {
                 let point = DVec3 { z: 0.0, ..self.object_point(ray, hit) };
                 self.surface_at(self.to_world(point), *normal, || outline.texture_coordinates(point), hit)
             }
-            Kernel::Ellipsoid => {
-                let point = sphere::normal(self.object_point(ray, hit));
-                let normal = self.transform.normal_to_world(point);
-                self.surface_at(self.to_world(point), normal, || sphere::texture_coordinates(point), hit)
-            }
-            Kernel::Cuboid => {
-                let part = hit.id.part;
-                let point = cuboid::onto_face(self.object_point(ray, hit), part);
-                let normal = self.transform.normal_to_world(cuboid::normal(part));
-                self.surface_at(self.to_world(point), normal, || cuboid::texture_coordinates(point, part), hit)
-            }
+            Kernel::Ellipsoid => self.ellipsoid_surface(ray, hit),
+            Kernel::Cuboid => self.cuboid_surface(ray, hit),
             Kernel::Mesh(mesh) => self.mesh_surface(mesh, hit),
         }
     }
 
+    #[inline(never)]
+    fn ellipsoid_surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let point = sphere::normal(self.object_point(ray, hit));
+        let normal = self.transform.normal_to_world(point);
+        self.surface_at(self.to_world(point), normal, || sphere::texture_coordinates(point), hit)
+    }
+
+    #[inline(never)]
+    fn cuboid_surface(&self, ray: &Ray, hit: &Hit) -> Surface {
+        let part = hit.id.part;
+        let point = cuboid::onto_face(self.object_point(ray, hit), part);
+        let normal = self.transform.normal_to_world(cuboid::normal(part));
+        self.surface_at(self.to_world(point), normal, || cuboid::texture_coordinates(point, part), hit)
+    }
+
+    #[inline(always)]
     fn surface_at(&self, position: DVec3, normal: DVec3, place: impl FnOnce() -> DVec2, hit: &Hit) -> Surface {
         let texture_coordinates = if self.textured { place() } else { DVec2::ZERO };
         let material = self.material.of_group(0);
         Surface { position, normal, shading_normal: normal, texture_coordinates, material, id: hit.id }
     }
 
+    #[inline(never)]
     fn mesh_surface(&self, mesh: &Mesh, hit: &Hit) -> Surface {
         let point = mesh.surface(hit.id.part, hit.barycentric);
         Surface {

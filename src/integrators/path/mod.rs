@@ -119,7 +119,7 @@ impl<'a> Walk<'a> {
         };
         let surface = scene.shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
-        path.throughput *= self.media_of.transmittance(medium_before(&path.media, &surface, &view), hit.t);
+        path.throughput *= self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
         let material = &scene.materials[surface.material as usize];
         if !self.take_own_light(path, material, &surface, &view) {
             return false;
@@ -144,7 +144,7 @@ impl<'a> Walk<'a> {
         let direction = path.ray.direction;
         let weight = self.weight_of(path.arrival, || self.tables.lights.environment_density(direction));
         if weight > 0.0 {
-            let transmittance = self.media_of.transmittance(path.media.innermost(), f64::INFINITY);
+            let transmittance = self.media_of.transmittance(|| path.media.innermost(), f64::INFINITY);
             self.radiance += path.throughput * transmittance * self.scene.environment.radiance(direction) * weight;
         }
     }
@@ -199,7 +199,7 @@ impl<'a> Walk<'a> {
             Strategy::Mis => power_heuristic(light.density, evaluation.density),
             _ => 1.0,
         };
-        let transmittance = self.media_of.transmittance(vertex.media_of(&ray).innermost(), distance);
+        let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray).innermost(), distance);
         let share = evaluation.value * (f64::from(weight) / light.density) as f32;
         self.radiance += path.throughput * share * transmittance * radiance;
     }
@@ -223,7 +223,7 @@ impl<'a> Walk<'a> {
                     continue;
                 }
             }
-            let transmittance = self.media_of.transmittance(vertex.media_of(&ray).innermost(), arriving.distance);
+            let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray).innermost(), arriving.distance);
             self.radiance += path.throughput * value * transmittance * arriving.irradiance;
         }
     }
@@ -262,7 +262,7 @@ impl<'a> Walk<'a> {
             };
             let surface = scene.shapes.surface(&path.ray, &hit);
             let view = View::new(&surface, path.ray.direction);
-            path.throughput *= self.media_of.transmittance(medium_before(&path.media, &surface, &view), hit.t);
+            path.throughput *= self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
             let material = &scene.materials[surface.material as usize];
             if material.shines() && path.bounces > start {
                 self.take_own_light(&path, material, &surface, &view);

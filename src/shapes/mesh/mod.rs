@@ -18,6 +18,7 @@ pub use wavefront::{ObjFile, ObjMaterial};
 use crate::bvh::{FloatBox, Hierarchy, HierarchyRay, Visit};
 use crate::error::{Error, Result};
 use crate::math::{Bounds, DVec3, Side};
+use crate::memory::on_large_pages;
 use departure::MeshDeparture;
 use packet::{Packet, PacketRay};
 
@@ -61,7 +62,8 @@ impl Mesh {
             let numbers = hierarchy.leaf(leaf).iter().map(|&number| solid[number as usize]);
             Packet::new(&numbers.map(|triangle| (triangle, geometry.corners(triangle))).collect::<Vec<_>>())
         };
-        let packets = (0..hierarchy.leaf_count() as u32).map(packet).collect();
+        let mut packets = on_large_pages(hierarchy.leaf_count());
+        packets.extend((0..hierarchy.leaf_count() as u32).map(packet));
         let degenerate = geometry.triangles.len() - solid.len();
         Ok(Self { geometry, hierarchy, packets, degenerate })
     }

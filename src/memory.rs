@@ -1,0 +1,71 @@
+//! Memory for tables of many megabytes that are read at random places.
+//!
+//! The processor keeps the addresses of a few thousand pages at hand. With pages of 4 KB those are a few megabytes; in
+//! a larger table nearly every read has to look up its page first, in memory that is as far away as the data.
+//!
+//! ```text
+//!     table   |----------------------------------|
+//!     4 KB    |....................................|   one address each
+//!     2 MB     ::  |--------|--------|--------|  ::    one address each; what is left over keeps small pages
+//! ```
+
+/// Size of a large page, of most processors.
+const LARGE_PAGE: usize = 2 << 20;
+
+/// An empty vector with room for `capacity` elements, on large pages where the system has them.
+///
+/// Measured with a million triangles in six runs each, side by side on a busy machine: 1.02 to 1.31 times as many random
+/// rays a second, median 1.08; camera rays are the same within the noise.
+pub fn on_large_pages<T>(capacity: usize) -> Vec<T> {
+    let mut vector = Vec::with_capacity(capacity);
+    let room = vector.spare_capacity_mut();
+    let (start, length) = (room.as_ptr().addr(), size_of_val(room));
+    let first = start.next_multiple_of(LARGE_PAGE);
+    let skipped = first - start;
+    let whole = length.saturating_sub(skipped) / LARGE_PAGE * LARGE_PAGE;
+    if whole > 0 {
+        ask_for_large_pages(room.as_mut_ptr().cast::<u8>().wrapping_add(skipped), whole);
+    }
+    vector
+}
+
+/// Asks Linux to back memory that was not touched yet by large pages ("transparent huge pages").
+#[cfg(target_os = "linux")]
+fn ask_for_large_pages(start: *mut u8, length: usize) {
+    use std::ffi::{c_int, c_void};
+    unsafe extern "C" {
+        fn madvise(start: *mut c_void, length: usize, advice: c_int) -> c_int;
+    }
+    /// From `<linux/mman.h>`, the same for all processors.
+    const MADV_HUGEPAGE: c_int = 14;
+    // SAFETY: `start` and `length` lie within an allocation of the caller, and the advice changes neither what the
+    // memory holds nor how it may be used (madvise(2)). A system that does not know or heed it returns an error or
+    // does nothing: both leave small pages, which are right too.
+    unsafe { madvise(start.cast(), length, MADV_HUGEPAGE) };
+}
+
+#[cfg(not(target_os = "linux"))]
+fn ask_for_large_pages(_start: *mut u8, _length: usize) {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn vectors_of_all_sizes_hold_what_is_put_in() {
+        let pages = |count: usize| count * LARGE_PAGE / size_of::<u64>();
+        for count in [0, 1, 1000, pages(1), pages(1) + 1, pages(2) - 1, pages(5) + 77] {
+            let mut vector = on_large_pages::<u64>(count);
+            assert!(vector.is_empty() && vector.capacity() >= count);
+            let place = vector.as_ptr();
+            vector.extend(0..count as u64);
+            assert_eq!(vector.as_ptr(), place, "the room was there already");
+            assert!(vector.iter().enumerate().all(|(index, &value)| value == index as u64));
+        }
+    }
+
+    #[test]
+    fn elements_without_size_need_no_memory() {
+        assert!(on_large_pages::<()>(1 << 30).is_empty());
+    }
+}
