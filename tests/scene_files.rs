@@ -77,7 +77,7 @@ fn wrong_values_say_what_was_expected() {
     ");
     insta::assert_snapshot!(error("[integrator]\nkind = \"raytrace\"\n"), @r#"
     scene.toml:5: integrator.kind: found "raytrace"
-      expected: one of normals, phong, whitted
+      expected: one of normals, phong, whitted, path
     "#);
     insta::assert_snapshot!(error("[integrator]\ndepth = 1.5\n"), @r"
     scene.toml:5: integrator.depth: found 1.5
