@@ -326,3 +326,38 @@ fn the_variance_layer_foretells_the_error_of_independent_samples() {
     }
     assert!((found / foretold - 1.0).abs() < 0.25, "{found} {foretold}");
 }
+
+#[test]
+fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
+    let left_out = |text: &str| {
+        let scene = scene(text);
+        Plan::new(&scene).left_out(&scene).join("\n")
+    };
+    let mirror = "materials.a = { kind = \"mirror\" }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
+    insta::assert_snapshot!(left_out(&format!("{FURNACE}{mirror}")), @r"
+    no point, spot or directional light: no rays to such
+    no shining shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
+    no mirror and no smooth glass beside other surfaces: no light sent ahead to find caustics
+    no glass: no refracted rays, no media
+    no environment picture: nothing decoded
+    1 shape (at most 4 with bounds): no hierarchy over them
+    ");
+    let matt = "materials.a = { kind = \"lambert\", colour = 1 }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
+    insta::assert_snapshot!(left_out(matt), @r"
+    no point, spot or directional light: no rays to such
+    no shining shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
+    no mirror and no smooth glass beside other surfaces: no light sent ahead to find caustics
+    no glass: no refracted rays, no media
+    no environment picture: nothing decoded
+    1 shape (at most 4 with bounds): no hierarchy over them
+    ");
+    insta::assert_snapshot!(left_out(&format!("{FURNACE}{matt}")), @r"
+    no point, spot or directional light: no rays to such
+    no mirror and no smooth glass beside other surfaces: no light sent ahead to find caustics
+    no glass: no refracted rays, no media
+    no environment picture: nothing decoded
+    1 shape (at most 4 with bounds): no hierarchy over them
+    ");
+    let counts = rendering(&scene(&format!("{FURNACE}{mirror}"))).counts;
+    assert_eq!((counts.shadow, counts.refracted), (0, 0));
+}

@@ -109,12 +109,12 @@ impl Plan {
         let normals = self.integrator == IntegratorKind::Normals;
         item(normals, "normals only: no light, no environment, no secondary rays");
         if !normals {
-            let none = match self.integrator {
-                IntegratorKind::Path => "no point, spot or directional light",
-                _ => "no lights",
+            let (lights, consequence) = match self.integrator {
+                IntegratorKind::Path => ("no point, spot or directional light", "no rays to such"),
+                _ => ("no lights", "no direct light, no shadow rays"),
             };
-            let reason = if scene.lights.is_empty() { none } else { "nothing that lights shade" };
-            item(!self.direct_light, &format!("{reason}: no light from a single direction, no shadow rays to it"));
+            let reason = if scene.lights.is_empty() { lights } else { "nothing that lights shade" };
+            item(!self.direct_light, &format!("{reason}: {consequence}"));
             item(self.direct_light && !self.shadow_rays, "nothing that could be shadowed: no shadow rays");
             if self.integrator == IntegratorKind::Path {
                 self.left_out_by_path(scene, &mut item);
