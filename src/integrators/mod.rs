@@ -65,6 +65,11 @@ impl<'a> Integrator<'a> {
         }
     }
 
+    /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
+    pub fn left_out(&self) -> Vec<String> {
+        self.path.as_ref().map_or(Vec::new(), |tables| tables.left_out(self.plan))
+    }
+
     /// The glasses that enclose a point from which rays start, outermost first: a camera may stand in water.
     pub fn media_around(&self, point: DVec3) -> MediumStack {
         media::media_around(self.scene, self.plan, point)

@@ -40,13 +40,17 @@ impl Footprint {
         Self { columns, rows, horizontal, vertical }
     }
 
-    /// The footprint in a picture whose right border continues at its left one; rows are clamped.
+    /// The footprint in a picture whose right border continues at its left one; rows are clamped. `x` from 0 to the
+    /// width; beyond, it is clamped.
+    #[inline(always)]
     pub fn around(x: f32, y: f32, width: usize, height: usize) -> Self {
         let (rows, vertical) = neighbours(y, height);
-        let centred = if x.is_finite() { x - 0.5 } else { 0.0 };
-        let before = centred.floor();
-        let first = before.rem_euclid(width as f32) as usize % width;
-        Self { columns: [first, (first + 1) % width], rows, horizontal: centred - before, vertical }
+        // Counted from one texel further left, so that truncation is the floor: 0 is the last column.
+        let shifted = clamp_number(x + 0.5, 0.0, width as f32 + 0.5);
+        let second = shifted as i32 as usize;
+        let left = if second == 0 { width - 1 } else { second - 1 };
+        let right = if second >= width { 0 } else { second };
+        Self { columns: [left, right], rows, horizontal: shifted - second as f32, vertical }
     }
 
     /// What the top left, top right, bottom left and bottom right texels count. The weights add up to 1; at a border some

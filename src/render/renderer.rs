@@ -28,6 +28,8 @@ pub struct Rendering {
     pub stopped: bool,
     /// What was asked for beside the picture.
     pub layers: Option<Layers>,
+    /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
+    pub left_out: Vec<String>,
 }
 
 /// A picture that grows by passes of samples. Every sample depends on the scene and its own number alone: the picture after
@@ -95,6 +97,7 @@ impl<'a> Renderer<'a> {
             samples: self.tiles.iter().map(|film| film.samples).min().unwrap_or(0),
             stopped,
             layers: develop_layers(&self.tiles, size),
+            left_out: self.integrator.left_out(),
         }
     }
 }

@@ -51,6 +51,7 @@ impl RenderReport {
         let [width, height] = scene.camera.size();
         let (decoded, never_seen) = decoded_images(scene);
         let mut left_out = plan.left_out(scene);
+        left_out.extend(rendering.left_out.iter().cloned());
         left_out.extend(never_seen);
         Self {
             picture: picture.display().to_string(),

@@ -23,13 +23,15 @@ pub struct IntegratorSettings {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Strategy {
+    /// `mis`, but `bsdf` where the only light is an even sky, for which rays to its brightest parts are not worth their time.
+    #[default]
+    Auto,
     /// Only where the material sends rays: good for large lights and sharp materials.
     Bsdf,
     /// Only by rays to the light sources: good for small lights and dull materials.
     Light,
     /// Both, weighted by how well each could have found the way (multiple importance sampling: Veach and Guibas,
     /// Optimally Combining Sampling Techniques for Monte Carlo Rendering, 1995).
-    #[default]
     Mis,
 }
 
@@ -91,11 +93,12 @@ impl IntegratorKind {
 
 impl Strategy {
     /// All strategies.
-    pub const ALL: [Self; 3] = [Self::Bsdf, Self::Light, Self::Mis];
+    pub const ALL: [Self; 4] = [Self::Auto, Self::Bsdf, Self::Light, Self::Mis];
 
     /// The name in scenes and on the command line.
     pub fn name(self) -> &'static str {
         match self {
+            Strategy::Auto => "auto",
             Strategy::Bsdf => "bsdf",
             Strategy::Light => "light",
             Strategy::Mis => "mis",

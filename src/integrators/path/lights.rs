@@ -3,12 +3,15 @@
 use crate::envmap::EnvironmentSampler;
 use crate::error::Result;
 use crate::math::{DVec3, Ray, SurfaceId, Vec3};
-use crate::scene::{Plan, Scene};
+use crate::scene::{Plan, Scene, Strategy};
 use crate::shapes::{ShapeSampler, Surface};
 
 /// Share of the environment's power in its brightest thousandth from which its light counts as concentrated. Measured
 /// skies without a sun have 0.01 or less.
 const CONCENTRATED: f64 = 0.1;
+
+/// Up to this share a sky is even: under it, rays to its brightest parts cost more than they save (measured by `converge`).
+const EVEN: f64 = 0.02;
 
 /// The light sources with extent.
 pub(super) struct LightTables {
@@ -16,6 +19,8 @@ pub(super) struct LightTables {
     environment: Option<EnvironmentSampler>,
     /// Probability of choosing the environment.
     environment_share: f64,
+    /// Share of the environment's power in its brightest thousandth.
+    concentration: f64,
     shapes: Vec<ShapeLight>,
     /// By the number of a shape: its place in `shapes`.
     of_shape: Vec<Option<u32>>,
@@ -47,8 +52,13 @@ impl LightTables {
     pub fn new(scene: &Scene, plan: &Plan) -> Result<Self> {
         let environment =
             if plan.environment_sampling { Some(EnvironmentSampler::new(&scene.environment)?) } else { None };
-        let environment = environment.filter(|sampler| sampler.power() > 0.0);
+        let mut environment = environment.filter(|sampler| sampler.power() > 0.0);
         let mut shapes = if plan.light_sampling { shape_lights(scene) } else { Vec::new() };
+        let concentration = environment.as_ref().map_or(0.0, EnvironmentSampler::concentration);
+        let even = plan.strategy == Strategy::Auto && shapes.is_empty() && concentration < EVEN;
+        if even {
+            environment = None;
+        }
         let environment_share = match (&environment, shapes.is_empty()) {
             (None, _) => 0.0,
             (Some(_), true) => 1.0,
@@ -66,7 +76,7 @@ impl LightTables {
         for (index, light) in shapes.iter().enumerate() {
             of_shape[light.shape as usize] = Some(index as u32);
         }
-        Ok(Self { environment, environment_share, shapes, of_shape })
+        Ok(Self { environment, environment_share, concentration, shapes, of_shape })
     }
 
     /// A direction from a point to a light. `None` if the chosen light cannot be seen from there.
@@ -114,10 +124,27 @@ impl LightTables {
         self.environment.as_ref().map_or(0.0, EnvironmentSampler::power) / (4.0 * std::f64::consts::PI)
     }
 
+    /// True if there is nothing to send rays to.
+    pub fn is_empty(&self) -> bool {
+        self.environment.is_none() && self.shapes.is_empty()
+    }
+
     /// True if much of the light comes from small sources: then what glass and mirrors make of it is bright and sharp.
     pub fn is_concentrated(&self) -> bool {
-        let small = |sampler: &EnvironmentSampler| sampler.concentration() > CONCENTRATED;
-        !self.shapes.is_empty() || self.environment.as_ref().is_some_and(small)
+        !self.shapes.is_empty() || self.concentration > CONCENTRATED
+    }
+
+    /// What was left out after a look at the light itself.
+    pub fn left_out(&self, plan: &Plan) -> Vec<String> {
+        let share = format!("{:.1} % of its light from its brightest thousandth", 100.0 * self.concentration);
+        let mut items = Vec::new();
+        if plan.light_sampling && self.is_empty() {
+            items.push(format!("the environment is even ({share}): no rays sent to it"));
+        }
+        if plan.caustics && !self.is_concentrated() {
+            items.push(format!("no small bright light ({share}): no light sent ahead to find caustics"));
+        }
+        items
     }
 
     /// Density with which [`LightTables::sample`] finds a direction of the environment.

@@ -46,6 +46,11 @@ impl PathTables {
         let caustics = CausticGuide::new(scene, plan, &lights);
         Ok(Self { lights, caustics })
     }
+
+    /// What was left out after a look at the light itself, one sentence an item.
+    pub fn left_out(&self, plan: &Plan) -> Vec<String> {
+        self.lights.left_out(plan)
+    }
 }
 
 /// Radiance along a camera ray.
@@ -173,7 +178,7 @@ impl<'a> Walk<'a> {
         match (arrival, self.plan.strategy) {
             (Arrival::Camera, _) | (Arrival::Scattered { .. }, Strategy::Bsdf) => 1.0,
             (Arrival::Scattered { .. }, Strategy::Light) => f32::from(u8::from(light_density() <= 0.0)),
-            (Arrival::Scattered { density }, Strategy::Mis) => power_heuristic(density, light_density()),
+            (Arrival::Scattered { density }, _) => power_heuristic(density, light_density()),
             (Arrival::Focused { density, towards, caustics }, _) => {
                 caustics.map_or(1.0, |directions| power_heuristic(density, directions.density(towards)))
             }
@@ -183,7 +188,7 @@ impl<'a> Walk<'a> {
     /// The light that arrives straight from light sources, by rays sent to them.
     fn take_lights(&mut self, path: &Path<'a>, vertex: &Vertex) {
         self.take_delta_lights(path, vertex);
-        if !self.plan.light_sampling {
+        if self.tables.lights.is_empty() {
             return;
         }
         let [x, y, choice, _] = self.sampler.four().map(f64::from);
@@ -196,8 +201,8 @@ impl<'a> Walk<'a> {
         self.counts.shadow += 1;
         let Some((radiance, distance)) = self.tables.lights.radiance(self.scene, &ray, &light) else { return };
         let weight = match self.plan.strategy {
-            Strategy::Mis => power_heuristic(light.density, evaluation.density),
-            _ => 1.0,
+            Strategy::Light => 1.0,
+            _ => power_heuristic(light.density, evaluation.density),
         };
         let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray).innermost(), distance);
         let share = evaluation.value * (f64::from(weight) / light.density) as f32;
