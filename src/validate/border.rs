@@ -14,7 +14,10 @@ use super::edge::Side;
 use crate::envmap::{CubeMap, Face, FaceLookup, FacePoint, Lookup};
 use crate::error::Result;
 use crate::math::Vec3;
-use crate::picture::Picture;
+use crate::picture::{Format, Picture};
+
+/// The side of a block of a JPEG file, each of which is compressed on its own.
+const BLOCK: usize = 8;
 
 /// Display colours along a side, one for each texel, by the growing coordinate.
 pub type Row = Vec<[f32; 3]>;
@@ -26,6 +29,8 @@ pub struct BorderRows {
     pub outer: [Row; 4],
     /// Rows at the depths h and 2h.
     pub deep: [Row; 2],
+    /// The rows on both sides of the first block boundary of a JPEG file: a seam lies between two blocks too.
+    pub blocks: Option<[Row; 2]>,
 }
 
 /// The borders of one image.
@@ -125,6 +130,7 @@ fn sample(
 fn read_image(lookup: &Lookup, image: Face, picture: &Picture, display: Display) -> ImageBorders {
     let texels = picture.width().min(picture.height());
     let depth = (texels / 32).max(1);
+    let compressed = picture.header().format == Format::Jpeg;
     let row = |side: Side, depth: usize| -> Row {
         let depth = depth.min(texels - 1);
         (0..texels).map(|index| display.encode(sample(lookup, image, picture, side, texels, index, depth))).collect()
@@ -132,6 +138,7 @@ fn read_image(lookup: &Lookup, image: Face, picture: &Picture, display: Display)
     let sides = Side::ALL.map(|side| BorderRows {
         outer: [0, 1, 2, 3].map(|index| row(side, index)),
         deep: [depth, 2 * depth].map(|index| row(side, index + 1)),
+        blocks: compressed.then(|| [BLOCK - 1, BLOCK].map(|index| row(side, index))),
     });
     let framed = is_framed(&sides);
     ImageBorders { sides, texels, framed, depth, display }

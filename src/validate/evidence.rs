@@ -16,6 +16,12 @@ const STRONG_GAIN: f64 = 15.0;
 const STRONG_COUNT: usize = 6;
 const STRONG_LOSS: f64 = 0.12;
 
+/// Coarse ground under strong compression: the costs are better by little, but the patterns along the borders agree in one
+/// arrangement alone. No seam tells more than [`super::agreement::MOST`] of it, so two must.
+const AGREEMENT: f64 = 10.0;
+const SOME_STANDARD_ERRORS: f64 = 0.5;
+const SOME_IMPROVEMENT: f64 = 0.03;
+
 impl Comparison {
     /// True if chance does not explain the difference, and it is not a trifle either.
     pub fn is_decisive(&self) -> bool {
@@ -23,6 +29,7 @@ impl Comparison {
         let (gain, count, loss) = self.strong();
         gain >= STRONG_GAIN && count >= STRONG_COUNT && loss <= STRONG_LOSS
             || errors >= STANDARD_ERRORS && improvement >= IMPROVEMENT
+            || errors >= SOME_STANDARD_ERRORS && improvement >= SOME_IMPROVEMENT && self.agreement >= AGREEMENT
             || errors >= FEW_STANDARD_ERRORS && improvement >= NEARLY_ALL
     }
 }

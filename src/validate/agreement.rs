@@ -1,0 +1,116 @@
+//! How far the patterns along two borders agree, and how much that tells.
+//!
+//! The measure is the rank correlation r (Spearman, "The Proof and Measurement of Association between Two Things",
+//! 1904) of the brightness along the two: neither the exposure nor a single lamp changes it. Neighbouring texels are
+//! alike, so that n of them tell less than n: as many as Bartlett's formula says ("Some Aspects of the Time-Correlation
+//! Problem", 1935), n / (1 + 2 sum of r_a(k) r_b(k)) with the correlations of either row with itself k texels on. The
+//! evidence is the logarithm of the likelihood that the correlation gains over none, `-(n - 3) / 2 ln(1 - r^2)`:
+//! a smooth sky, all of whose borders are alike, gets none.
+
+use super::signal::Signal;
+use crate::math::functions::logarithm;
+
+/// The most that a single seam can tell: one alone decides nothing.
+pub const MOST: f32 = 8.0;
+/// The least spread of the brightness along a border that is not rounding, in display units.
+const LEAST_SPREAD: f32 = 0.5;
+
+/// The ranks of the brightness along a border.
+#[derive(Debug, Clone)]
+pub struct Pattern {
+    /// Of mean 0 and of mean square 1; all 0 if the border is flat.
+    ranks: Vec<f32>,
+    /// The correlation of the row with itself, one texel further, two texels further, ...
+    own: Vec<f32>,
+}
+
+impl Pattern {
+    pub fn new(brightness: &[f32]) -> Self {
+        let ranks = ranks(brightness);
+        let count = ranks.len();
+        let own = (1..=count / 2).map(|lag| product(&ranks[lag..], &ranks[..count - lag]) / count as f32).collect();
+        Self { ranks, own }
+    }
+
+    /// The evidence that the other one, walked as it is or against its direction, continues this one.
+    pub fn evidence(&self, other: &Self, reversed: bool) -> f32 {
+        let count = self.ranks.len() as f32;
+        let sum: f32 = if reversed {
+            self.ranks.iter().zip(other.ranks.iter().rev()).map(|(a, b)| a * b).sum()
+        } else {
+            product(&self.ranks, &other.ranks)
+        };
+        let correlation = (sum / count).clamp(-0.99, 0.99);
+        let alike: f32 =
+            self.own.iter().zip(&other.own).map_while(|(a, b)| (*a > 0.0 && *b > 0.0).then_some(a * b)).sum();
+        let independent = (count / (1.0 + 2.0 * alike) - 3.0).max(0.0);
+        let evidence = -0.5 * independent * logarithm(1.0 - correlation * correlation);
+        evidence.min(MOST).copysign(correlation)
+    }
+}
+
+fn product(one: &[f32], other: &[f32]) -> f32 {
+    one.iter().zip(other).map(|(a, b)| a * b).sum()
+}
+
+/// Ranks, equal values sharing their mean rank, scaled to mean 0 and mean square 1.
+fn ranks(values: &[f32]) -> Vec<f32> {
+    let count = values.len();
+    let mean = values.iter().sum::<f32>() / count as f32;
+    let spread = (values.iter().map(|value| (value - mean) * (value - mean)).sum::<f32>() / count as f32).sqrt();
+    if spread < LEAST_SPREAD {
+        return vec![0.0; count];
+    }
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by(|&a, &b| values[a].total_cmp(&values[b]));
+    let mut ranks = vec![0.0; count];
+    for equal in order.chunk_by(|&a, &b| values[a] == values[b]) {
+        let below = order.partition_point(|&index| values[index] < values[equal[0]]);
+        let rank = below as f32 + (equal.len() as f32 - count as f32) / 2.0;
+        for &index in equal {
+            ranks[index] = rank;
+        }
+    }
+    let scale = (product(&ranks, &ranks) / count as f32).sqrt();
+    ranks.iter().map(|rank| rank / scale).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Numbers that look random, each the mean of `width` of them.
+    fn noise(seed: u64, width: usize) -> Vec<f32> {
+        let value = |index: usize| {
+            let state = (seed * 1000 + index as u64 + 1).wrapping_mul(0x9E37_79B9_7F4A_7C15);
+            let state = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+            ((state ^ (state >> 27)) % 1000) as f32 / 4.0
+        };
+        (0..64).map(|index| (index..index + width).map(value).sum::<f32>() / width as f32).collect()
+    }
+
+    #[test]
+    fn the_same_pattern_tells_most_whatever_the_exposure() {
+        let pattern = noise(1, 1);
+        let darker: Vec<f32> = pattern.iter().map(|value| 0.7 * value + 3.0).collect();
+        let mirrored: Vec<f32> = pattern.iter().rev().copied().collect();
+        let pattern = Pattern::new(&pattern);
+        assert_eq!(pattern.evidence(&Pattern::new(&darker), false), MOST);
+        assert_eq!(pattern.evidence(&Pattern::new(&mirrored), true), MOST);
+        assert!(pattern.evidence(&Pattern::new(&mirrored), false).abs() < 2.0);
+    }
+
+    #[test]
+    fn unlike_patterns_flat_and_smooth_ones_tell_nothing() {
+        for width in [1, 4, 16] {
+            let unlike = (0..20).map(|seed| {
+                Pattern::new(&noise(2 * seed, width)).evidence(&Pattern::new(&noise(2 * seed + 1, width)), false)
+            });
+            assert!(unlike.sum::<f32>().abs() < 20.0, "blurred by {width}");
+        }
+        let smooth: Vec<f32> = (0..64).map(|index| index as f32).collect();
+        assert_eq!(Pattern::new(&smooth).evidence(&Pattern::new(&smooth), false), 0.0);
+        let flat = Pattern::new(&[7.0; 64]);
+        assert_eq!(flat.evidence(&flat, false), 0.0);
+    }
+}
