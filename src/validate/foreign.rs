@@ -31,6 +31,9 @@ const STRANGER: f64 = 0.8;
 const STRANGER_COPY: f64 = 0.5;
 /// The same for one flat colour, which continues any plain picture but for its brightness.
 const STRANGER_FLAT: f64 = 0.3;
+/// The mean step, of 255 codes, by which the neighbours must end in other colours than a flat face: a flat sky whose
+/// neighbours fade into about its colour is a picture of a flat sky.
+const STEP_TO_FLAT: f64 = 16.0;
 /// The mean fit that the eight other seams must reach.
 const FAMILIAR: f64 = 0.7;
 /// The mean score (step over detail) below which the seams are not a visible fault.
@@ -65,7 +68,11 @@ pub fn find(
         None if images[image.index()].is_flat() => (Reason::Flat, STRANGER_FLAT, *fit),
         None => (Reason::AnotherScene, STRANGER, *fit),
     };
-    let unlike = reason != Reason::AnotherScene || pattern_cost(puzzle, laid, face) >= ANOTHER_PATTERN;
+    let unlike = match reason {
+        Reason::AnotherScene => pattern_cost(puzzle, laid, face) >= ANOTHER_PATTERN,
+        Reason::Flat => mean_step(puzzle, images, laid, face) >= STEP_TO_FLAT,
+        Reason::CopyOf(_) => true,
+    };
     Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
 }
 
@@ -106,6 +113,11 @@ fn mean_fit(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, touching: bo
 fn mean_score(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
     touching.map(|edge| measure(puzzle, images, arrangement, edge).score).sum::<f64>() / 4.0
+}
+
+fn mean_step(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching.map(|edge| measure(puzzle, images, arrangement, edge).step).sum::<f64>() / 4.0
 }
 
 /// Another image with the same texels.

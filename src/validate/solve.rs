@@ -1,7 +1,7 @@
 //! From the cheapest arrangement to the fix: of all that are equally good the one with the fewest and simplest changes.
 
 use super::arrangement::{Arrangement, Puzzle};
-use super::border::{Borders, ImageBorders};
+use super::border::Borders;
 use super::convention::{self, Convention};
 use super::edge::EdgeBorders;
 use super::foreign::{self, Foreign, Reason};
@@ -97,12 +97,20 @@ impl Question<'_> {
             return Ok(found);
         }
         // A frame that was seen around some of the images only would make them strangers to the others: the finding
-        // must hold one row further inside all six.
-        let within = self.images.clone().map(|image| ImageBorders { framed: true, ..image });
-        let puzzle = Puzzle { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
-        let again = foreign::find(self.map, &puzzle, &within, arrangement)?;
-        let confirmed = again.is_some_and(|(other, _)| other.face == stranger.face);
-        Ok(found.filter(|_| confirmed))
+        // must hold one row further inside all six, and inside the stranger alone.
+        let image = arrangement.images[stranger.face.index()];
+        for only in [None, Some(image)] {
+            let mut within = self.images.clone();
+            for inner in Face::ALL.into_iter().filter(|&face| only.is_none_or(|only| only == face)) {
+                within[inner.index()].framed = true;
+            }
+            let puzzle = Puzzle { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
+            let again = foreign::find(self.map, &puzzle, &within, arrangement)?;
+            if again.is_none_or(|(other, _)| other.face != stranger.face) {
+                return Ok(None);
+            }
+        }
+        Ok(found)
     }
 
     /// The cheapest arrangement, and whether images changed places for it.
