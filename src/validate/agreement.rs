@@ -4,7 +4,7 @@
 //! 1904) of the brightness along the two: neither the exposure nor a single lamp changes it. Neighbouring texels are
 //! alike, so that n of them tell less than n: as many as Bartlett's formula says ("Some Aspects of the Time-Correlation
 //! Problem", 1935), n / (1 + 2 sum of r_a(k) r_b(k)) with the correlations of either row with itself k texels on. The
-//! evidence is the logarithm of the likelihood that the correlation gains over none, `-(n - 3.5) / 2 ln(1 - r^2)`:
+//! evidence is the logarithm of the likelihood that the correlation gains over none, `-(n - 3) / 2 ln(1 - r^2)`:
 //! a smooth sky, which only grows brighter along its borders, gets nearly none.
 
 use super::signal::Signal;
@@ -12,9 +12,9 @@ use crate::math::functions::logarithm;
 
 /// The most that a single seam can tell: one alone decides nothing.
 pub const MOST: f32 = 8.0;
-/// A border that only grows brighter or darker counts as 4.4 independent texels by Bartlett's formula. Less this, two seams of
-/// a turned gradient do not reach what decides.
-const TREND: f32 = 3.5;
+/// What the mean, the scale and a trend take off the independent texels (Fisher: n - 3 for a correlation). A border that only
+/// grows brighter counts as 4.4 of them by the formula, so a trend is little evidence: 2.7 a seam.
+const TREND: f32 = 3.0;
 /// The least spread of the brightness along a border that is not rounding, in display units.
 const LEAST_SPREAD: f32 = 0.5;
 
@@ -114,7 +114,7 @@ mod tests {
             assert!((0.3..0.8).contains(&mean), "blurred by {width}: {mean}");
         }
         let smooth: Vec<f32> = (0..64).map(|index| index as f32).collect();
-        assert!(Pattern::new(&smooth).evidence(&Pattern::new(&smooth), false) < 2.0);
+        assert!(Pattern::new(&smooth).evidence(&Pattern::new(&smooth), false) < 3.0);
         let flat = Pattern::new(&[7.0; 64]);
         assert_eq!(flat.evidence(&flat, false), 0.0);
     }
