@@ -7,7 +7,6 @@
 //! evidence is the logarithm of the likelihood that the correlation gains over none, `-(n - 3) / 2 ln(1 - r^2)`:
 //! a smooth sky, which only grows brighter along its borders, gets nearly none.
 
-use super::signal::Signal;
 use crate::math::functions::logarithm;
 
 /// The most that a single seam can tell: one alone decides nothing.
