@@ -6,6 +6,10 @@
 //! Problem", 1935), n / (1 + 2 sum of r_a(k) r_b(k)) with the correlations of either row with itself k texels on. The
 //! evidence is the logarithm of the likelihood that the correlation gains over none, `-(n - 3) / 2 ln(1 - r^2)`:
 //! a smooth sky, which only grows brighter along its borders, gets nearly none.
+//!
+//! Between two ways to lay a border the difference counts, by Fisher's test of two correlations ("On the Probable
+//! Error of a Coefficient of Correlation Deduced from a Small Sample", 1921): what two ways have in common, as a border
+//! that is bright at both ends and dark in the middle has with its mirror image, tells nothing for either.
 
 use crate::math::functions::logarithm;
 
@@ -14,6 +18,8 @@ pub const MOST: f32 = 8.0;
 /// What the mean, the scale and a trend take off the independent texels (Fisher: n - 3 for a correlation). A border that only
 /// grows brighter counts as 4.4 of them by the formula, so a trend is little evidence: 2.7 a seam.
 const TREND: f32 = 3.0;
+/// The highest correlation that is believed when two are compared: nearer to 1 Fisher's approximation exaggerates.
+const HIGHEST: f32 = 0.9;
 /// The least spread of the brightness along a border that is not rounding, in display units.
 const LEAST_SPREAD: f32 = 0.5;
 
@@ -34,20 +40,51 @@ impl Pattern {
         Self { ranks, own }
     }
 
-    /// The evidence that the other one, walked as it is or against its direction, continues this one.
-    pub fn evidence(&self, other: &Self, reversed: bool) -> f32 {
+    /// How the other one, walked as it is or against its direction, goes with this one.
+    pub fn correlation(&self, other: &Self, reversed: bool) -> Correlation {
         let count = self.ranks.len() as f32;
         let sum: f32 = if reversed {
             self.ranks.iter().zip(other.ranks.iter().rev()).map(|(a, b)| a * b).sum()
         } else {
             product(&self.ranks, &other.ranks)
         };
-        let correlation = (sum / count).clamp(-0.99, 0.99);
         let alike: f32 =
             self.own.iter().zip(&other.own).map_while(|(a, b)| (*a > 0.0 && *b > 0.0).then_some(a * b)).sum();
-        let independent = (count / (1.0 + 2.0 * alike) - TREND).max(0.0);
-        let evidence = -0.5 * independent * logarithm(1.0 - correlation * correlation);
-        evidence.min(MOST).copysign(correlation)
+        Correlation { value: sum / count, independent: (count / (1.0 + 2.0 * alike) - TREND).max(0.0) }
+    }
+}
+
+/// The rank correlation of two borders.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Correlation {
+    /// From -1 to 1.
+    value: f32,
+    /// Independent texels, less what the mean, the scale and a trend take off.
+    independent: f32,
+}
+
+impl Correlation {
+    /// The evidence that the borders continue each other at all; negative if they run against each other.
+    pub fn evidence(self) -> f32 {
+        let value = self.value.clamp(-0.99, 0.99);
+        let evidence = -0.5 * self.independent * logarithm(1.0 - value * value);
+        evidence.min(MOST).copysign(value)
+    }
+
+    /// The evidence that these borders go together rather than the others; negative for the others.
+    pub fn evidence_against(self, other: Self) -> f32 {
+        if self.independent == 0.0 || other.independent == 0.0 {
+            return 0.0;
+        }
+        let difference = self.fisher() - other.fisher();
+        let variance = 1.0 / self.independent + 1.0 / other.independent;
+        (0.5 * difference * difference / variance).min(MOST).copysign(difference)
+    }
+
+    /// Fisher's z, of variance 1 / `independent` whatever the correlation is.
+    fn fisher(self) -> f32 {
+        let value = self.value.clamp(-HIGHEST, HIGHEST);
+        0.5 * logarithm((1.0 + value) / (1.0 - value))
     }
 }
 
@@ -97,8 +134,8 @@ mod tests {
         let darker: Vec<f32> = pattern.iter().map(|value| 0.7 * value + 3.0).collect();
         let mirrored: Vec<f32> = pattern.iter().rev().copied().collect();
         let pattern = Pattern::new(&pattern);
-        assert_eq!(pattern.evidence(&Pattern::new(&darker), false), MOST);
-        assert_eq!(pattern.evidence(&Pattern::new(&mirrored), true), MOST);
+        assert_eq!(pattern.correlation(&Pattern::new(&darker), false).evidence(), MOST);
+        assert_eq!(pattern.correlation(&Pattern::new(&mirrored), true).evidence(), MOST);
     }
 
     #[test]
@@ -107,14 +144,32 @@ mod tests {
         for width in [1, 4] {
             let evidence = |seed: u64| {
                 let [one, other] = [0, 1].map(|half| Pattern::new(&noise(2 * seed + half, width)));
-                one.evidence(&other, false).abs()
+                one.correlation(&other, false).evidence().abs()
             };
             let mean = (0..200).map(evidence).sum::<f32>() / 200.0;
             assert!((0.3..0.8).contains(&mean), "blurred by {width}: {mean}");
         }
         let smooth: Vec<f32> = (0..64).map(|index| index as f32).collect();
-        assert!(Pattern::new(&smooth).evidence(&Pattern::new(&smooth), false) < 3.0);
+        assert!(Pattern::new(&smooth).correlation(&Pattern::new(&smooth), false).evidence() < 3.0);
         let flat = Pattern::new(&[7.0; 64]);
-        assert_eq!(flat.evidence(&flat, false), 0.0);
+        assert_eq!(flat.correlation(&flat, false).evidence(), 0.0);
+    }
+
+    #[test]
+    fn what_a_pattern_has_in_common_with_its_mirror_image_tells_nothing() {
+        // Bright at both ends, and noise of its own in either picture.
+        let bowl = |seed: u64| -> Vec<f32> {
+            let noise = noise(seed, 1);
+            (0..64).map(|index| (index as f32 - 31.5).powi(2) / 8.0 + 0.3 * noise[index]).collect()
+        };
+        let evidence = |seed: u64| {
+            let [one, other] = [0, 1].map(|half| Pattern::new(&bowl(2 * seed + half)));
+            one.correlation(&other, false).evidence_against(one.correlation(&other, true))
+        };
+        let most = (0..100).map(evidence).fold(0.0, |most: f32, evidence| most.max(evidence.abs()));
+        assert!(most < 4.0, "{most}");
+        let pattern = Pattern::new(&noise(1, 1));
+        let (right, turned) = (pattern.correlation(&pattern, false), pattern.correlation(&pattern, true));
+        assert_eq!((right.evidence_against(turned), turned.evidence_against(right)), (MOST, -MOST));
     }
 }

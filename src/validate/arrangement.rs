@@ -74,22 +74,22 @@ impl Puzzle {
                 let [one, other] = [0, 1].map(|end| border_index(images[end], borders[end].side));
                 let units = self.edge_units(arrangement, edge);
                 let alike = borders[0].reversed == borders[1].reversed;
-                let agreement = self.costs.agreement(images, borders);
-                partners[one] = Some((other, alike, units, agreement));
-                partners[other] = Some((one, alike, units, agreement));
+                let correlation = self.costs.correlation(images, borders);
+                partners[one] = Some((other, alike, units, correlation));
+                partners[other] = Some((one, alike, units, correlation));
             }
         }
         let mut comparison = Comparison::default();
         let skipped = |side: usize| without.is_some_and(|image| side / 4 == image.index());
         for (side, (first, second)) in first.iter().zip(&second).enumerate() {
             let (Some(first), Some(second)) = (first, second) else { continue };
-            let ((one, alike, units, agreement), (other, other_alike, others, other_agreement)) = (first, second);
+            let ((one, alike, units, correlation), (other, other_alike, others, other_correlation)) = (first, second);
             if (one, alike) == (other, other_alike) || skipped(side) || skipped(*one) || skipped(*other) {
                 continue;
             }
             comparison.add(units, others);
             // Both sides of a seam tell the same.
-            comparison.agreement += (agreement - other_agreement) / 2.0;
+            comparison.agreement += f64::from(correlation.evidence_against(*other_correlation)) / 2.0;
         }
         comparison
     }

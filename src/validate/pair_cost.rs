@@ -8,6 +8,7 @@
 
 use rayon::prelude::*;
 
+use super::agreement::Correlation;
 use super::border::ImageBorders;
 use super::display::Display;
 use super::edge::{Border, Side};
@@ -32,8 +33,8 @@ pub type Units = [f32; UNITS];
 pub struct PairCosts {
     units: Vec<Units>,
     totals: Vec<f64>,
-    /// What the patterns tell for every pair: see [`super::agreement`].
-    agreements: Vec<f64>,
+    /// How the patterns along every pair go together: see [`super::agreement`].
+    correlations: Vec<Correlation>,
 }
 
 /// A side of one of the six images, 0 to 23.
@@ -63,15 +64,15 @@ impl PairCosts {
                 units[index(other, one, reversed)] = cost;
             }
         }
-        let mut agreements = vec![0.0; 24 * 24 * 2];
+        let mut correlations = vec![Correlation::default(); 24 * 24 * 2];
         for (one, other) in (0..24).flat_map(|one| (0..24).map(move |other| (one, other))) {
             for reversed in [false, true] {
-                let evidence = forwards[one].pattern.evidence(&forwards[other].pattern, reversed);
-                agreements[index(one, other, reversed)] = f64::from(evidence);
+                correlations[index(one, other, reversed)] =
+                    forwards[one].pattern.correlation(&forwards[other].pattern, reversed);
             }
         }
         let total = |units: &Units| units.iter().map(|&unit| f64::from(unit)).sum();
-        Self { totals: units.iter().map(total).collect(), units, agreements }
+        Self { totals: units.iter().map(total).collect(), units, correlations }
     }
 
     /// The costs of the first border continuing the second.
@@ -79,9 +80,9 @@ impl PairCosts {
         &self.units[Self::index(images, borders)]
     }
 
-    /// What the patterns along the two borders tell for the first continuing the second, as a logarithm of likelihood.
-    pub fn agreement(&self, images: [Face; 2], borders: [Border; 2]) -> f64 {
-        self.agreements[Self::index(images, borders)]
+    /// How the patterns along the two borders go together.
+    pub fn correlation(&self, images: [Face; 2], borders: [Border; 2]) -> Correlation {
+        self.correlations[Self::index(images, borders)]
     }
 
     pub fn total(&self, images: [Face; 2], borders: [Border; 2]) -> f64 {
@@ -186,6 +187,6 @@ impl PairCosts {
             }
         }
         let units = totals.iter().map(|&total| [(total / UNITS as f64) as f32; UNITS]).collect();
-        Self { units, totals, agreements: vec![0.0; 24 * 24 * 2] }
+        Self { units, totals, correlations: vec![Correlation::default(); 24 * 24 * 2] }
     }
 }
