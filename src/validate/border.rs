@@ -68,10 +68,20 @@ impl ImageBorders {
         self.sides.iter().zip(&other.sides).all(same)
     }
 
-    /// True if no texel along any side differs from the others.
+    /// True if no texel differs from the others in any row that was read, but for a frame: a frame that went unseen
+    /// around a picture does not make it flat.
     pub fn is_flat(&self) -> bool {
         let colour = self.row(Side::Left, 0)[0];
-        Side::ALL.into_iter().all(|side| self.row(side, 0).iter().all(|&texel| texel == colour))
+        let rows = |side: &BorderRows| {
+            let mut rows = side.outer.iter().skip(usize::from(self.framed)).chain(&side.deep);
+            rows.all(|row| Self::within_frame(row, self.framed).iter().all(|&texel| texel == colour))
+        };
+        self.sides.iter().all(rows)
+    }
+
+    /// A row without its first and last texel if those belong to a frame.
+    fn within_frame(row: &Row, framed: bool) -> &[[f32; 3]] {
+        if framed && row.len() > 2 { &row[1..row.len() - 1] } else { row }
     }
 }
 
