@@ -129,7 +129,7 @@ fn byte_identical_faces_are_named_and_never_put_wrong() {
     // The four walls of a room are one picture, symmetric about its middle, between a floor and a ceiling.
     let wall = |x: usize, y: usize| {
         let across = x.min(SIZE - 1 - x);
-        let bricks = if (across / 16 + y / 12) % 2 == 0 { 30.0 } else { 0.0 };
+        let bricks = if (across / 16 + y / 12).is_multiple_of(2) { 30.0 } else { 0.0 };
         [90.0 + bricks + y as f32 / 8.0, 80.0 + bricks, 70.0]
     };
     let ring = |x: usize, y: usize, wall_row: usize| {

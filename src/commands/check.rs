@@ -95,9 +95,8 @@ fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     paths.sort();
     let mut maps = Vec::new();
     for path in paths {
-        if Skybox::open_lenient(&path).is_ok() {
-            maps.push(path);
-        } else if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip")) {
+        let archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
+        if archive || Skybox::open_lenient(&path).is_ok() {
             maps.push(path);
         } else if path.is_dir() {
             let inside = maps_inside(&path);
