@@ -87,15 +87,16 @@ fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<
     Ok(outcome(check.verdict, arguments.strict))
 }
 
-/// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one is listed
-/// too: its line says what is wrong.
+/// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one, and an archive
+/// that cannot be read, is listed too: its line says what is wrong.
 fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
     paths.sort();
     let mut maps = Vec::new();
     for path in paths {
-        if Skybox::open_lenient(&path).is_ok() {
+        let archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
+        if archive || Skybox::open_lenient(&path).is_ok() {
             maps.push(path);
         } else if path.is_dir() {
             let inside = maps_inside(&path);

@@ -47,6 +47,12 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     for note in check.notes.iter().take(check.foreign.len()) {
         eprintln!("not mended: {note}");
     }
+    let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
+    if check.verdict == Verdict::Broken && check.foreign.is_empty() {
+        for fix in undecided {
+            eprintln!("left as it is: the pixels do not tell how {} must be laid", fix.face.name());
+        }
+    }
     if check.verdict == Verdict::Undecidable {
         eprintln!("undecidable: the pixels do not tell whether these faces fit; nothing was changed");
     }

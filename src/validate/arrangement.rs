@@ -74,18 +74,22 @@ impl Puzzle {
                 let [one, other] = [0, 1].map(|end| border_index(images[end], borders[end].side));
                 let units = self.edge_units(arrangement, edge);
                 let alike = borders[0].reversed == borders[1].reversed;
-                partners[one] = Some((other, alike, units));
-                partners[other] = Some((one, alike, units));
+                let correlation = self.costs.correlation(images, borders);
+                partners[one] = Some((other, alike, units, correlation));
+                partners[other] = Some((one, alike, units, correlation));
             }
         }
         let mut comparison = Comparison::default();
         let skipped = |side: usize| without.is_some_and(|image| side / 4 == image.index());
         for (side, (first, second)) in first.iter().zip(&second).enumerate() {
-            let (Some((one, alike, units)), Some((other, other_alike, others))) = (first, second) else { continue };
+            let (Some(first), Some(second)) = (first, second) else { continue };
+            let ((one, alike, units, correlation), (other, other_alike, others, other_correlation)) = (first, second);
             if (one, alike) == (other, other_alike) || skipped(side) || skipped(*one) || skipped(*other) {
                 continue;
             }
             comparison.add(units, others);
+            // Both sides of a seam tell the same.
+            comparison.agreement += f64::from(correlation.evidence_against(*other_correlation)) / 2.0;
         }
         comparison
     }
@@ -98,6 +102,8 @@ pub struct Comparison {
     pub better: f64,
     pub worse: f64,
     squares: f64,
+    /// What the patterns along the borders tell for the better one: a logarithm of likelihood.
+    pub agreement: f64,
     /// Sums over the units that differ strongly, for and against the better one; and how many there are.
     strong_gains: f64,
     strong_losses: f64,

@@ -14,7 +14,10 @@ use super::edge::Side;
 use crate::envmap::{CubeMap, Face, FaceLookup, FacePoint, Lookup};
 use crate::error::Result;
 use crate::math::Vec3;
-use crate::picture::Picture;
+use crate::picture::{Format, Picture};
+
+/// The side of a block of a JPEG file, each of which is compressed on its own.
+const BLOCK: usize = 8;
 
 /// Display colours along a side, one for each texel, by the growing coordinate.
 pub type Row = Vec<[f32; 3]>;
@@ -26,6 +29,8 @@ pub struct BorderRows {
     pub outer: [Row; 4],
     /// Rows at the depths h and 2h.
     pub deep: [Row; 2],
+    /// The rows on both sides of the first block boundary of a JPEG file: a seam lies between two blocks too.
+    pub blocks: Option<[Row; 2]>,
 }
 
 /// The borders of one image.
@@ -63,10 +68,20 @@ impl ImageBorders {
         self.sides.iter().zip(&other.sides).all(same)
     }
 
-    /// True if no texel along any side differs from the others.
+    /// True if no texel differs from the others in any row that was read, but for a frame: a frame that went unseen
+    /// around a picture does not make it flat.
     pub fn is_flat(&self) -> bool {
         let colour = self.row(Side::Left, 0)[0];
-        Side::ALL.into_iter().all(|side| self.row(side, 0).iter().all(|&texel| texel == colour))
+        let rows = |side: &BorderRows| {
+            let mut rows = side.outer.iter().skip(usize::from(self.framed)).chain(&side.deep);
+            rows.all(|row| Self::within_frame(row, self.framed).iter().all(|&texel| texel == colour))
+        };
+        self.sides.iter().all(rows)
+    }
+
+    /// A row without its first and last texel if those belong to a frame.
+    fn within_frame(row: &Row, framed: bool) -> &[[f32; 3]] {
+        if framed && row.len() > 2 { &row[1..row.len() - 1] } else { row }
     }
 }
 
@@ -125,6 +140,7 @@ fn sample(
 fn read_image(lookup: &Lookup, image: Face, picture: &Picture, display: Display) -> ImageBorders {
     let texels = picture.width().min(picture.height());
     let depth = (texels / 32).max(1);
+    let compressed = picture.header().format == Format::Jpeg;
     let row = |side: Side, depth: usize| -> Row {
         let depth = depth.min(texels - 1);
         (0..texels).map(|index| display.encode(sample(lookup, image, picture, side, texels, index, depth))).collect()
@@ -132,6 +148,7 @@ fn read_image(lookup: &Lookup, image: Face, picture: &Picture, display: Display)
     let sides = Side::ALL.map(|side| BorderRows {
         outer: [0, 1, 2, 3].map(|index| row(side, index)),
         deep: [depth, 2 * depth].map(|index| row(side, index + 1)),
+        blocks: compressed.then(|| [BLOCK - 1, BLOCK].map(|index| row(side, index))),
     });
     let framed = is_framed(&sides);
     ImageBorders { sides, texels, framed, depth, display }

@@ -199,7 +199,7 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
         face,
         image: found.images[face.index()],
         laying: found.laying(face),
-        decided: solution.excluded[face.index()] == 7,
+        decided: solution.is_decided(face),
     });
     let changed = |face: &Face| {
         let face = face.index();
@@ -221,6 +221,9 @@ fn verdict(puzzle: &Puzzle, solution: &Solution, given: &Arrangement, foreign: &
     let found = &solution.arrangement;
     if found != given || !foreign.is_empty() {
         return Verdict::Broken;
+    }
+    if solution.unsettled {
+        return Verdict::Undecidable;
     }
     let related = puzzle.mean_fit(found) < UNRELATED;
     if related && solution.telling_faces() >= 3 { Verdict::Fits } else { Verdict::Undecidable }

@@ -31,6 +31,9 @@ const STRANGER: f64 = 0.8;
 const STRANGER_COPY: f64 = 0.5;
 /// The same for one flat colour, which continues any plain picture but for its brightness.
 const STRANGER_FLAT: f64 = 0.3;
+/// The mean step, of 255 codes, by which the neighbours must end in other colours than a flat face: a flat sky whose
+/// neighbours fade into about its colour is a picture of a flat sky.
+const STEP_TO_FLAT: f64 = 16.0;
 /// The mean fit that the eight other seams must reach.
 const FAMILIAR: f64 = 0.7;
 /// The mean score (step over detail) below which the seams are not a visible fault.
@@ -38,6 +41,10 @@ const VISIBLE: f64 = 3.0;
 
 /// The mean cost, brightness apart, that two unlike patterns have at least.
 const ANOTHER_PATTERN: f64 = 30.0;
+
+/// The agreement of the brightness along its four borders from which on a face is no stranger, however much its colours
+/// differ: a grey face among coloured ones, a face in a frame. Measured: strangers reach 5.3, grey faces 32.
+const KINDRED: f64 = 10.0;
 
 /// The face that fits nothing, in any laying, while the others fit as `arrangement` has them. The image of that face is
 /// left as it is given.
@@ -65,7 +72,13 @@ pub fn find(
         None if images[image.index()].is_flat() => (Reason::Flat, STRANGER_FLAT, *fit),
         None => (Reason::AnotherScene, STRANGER, *fit),
     };
-    let unlike = reason != Reason::AnotherScene || pattern_cost(puzzle, laid, face) >= ANOTHER_PATTERN;
+    let unlike = match reason {
+        Reason::AnotherScene => {
+            pattern_cost(puzzle, laid, face) >= ANOTHER_PATTERN && agreement(puzzle, arrangement, face) < KINDRED
+        }
+        Reason::Flat => mean_step(puzzle, images, laid, face) >= STEP_TO_FLAT,
+        Reason::CopyOf(_) => true,
+    };
     Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
 }
 
@@ -76,6 +89,18 @@ fn pattern_cost(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
         .map(|edge| puzzle.edge_units(arrangement, edge)[1..].iter().map(|&unit| f64::from(unit)).sum::<f64>())
         .sum::<f64>()
         / 4.0
+}
+
+/// How far the brightness along the borders of a face agrees with that along its neighbours', in the laying that agrees most:
+/// see [`super::agreement`].
+fn agreement(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
+    let along = |laid: &Arrangement, edge: usize| {
+        let (images, borders) = puzzle.ends(laid, edge);
+        f64::from(puzzle.costs.correlation(images, borders).evidence())
+    };
+    let touching = || (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    let all = |laid: Arrangement| touching().map(|edge| along(&laid, edge)).sum::<f64>();
+    (0..8).map(|laying| all(arrangement.with_laying(face, laying))).fold(f64::NEG_INFINITY, f64::max)
 }
 
 /// The mean fit of the seams of a face, in its best laying, but for the one towards `other`.
@@ -106,6 +131,11 @@ fn mean_fit(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, touching: bo
 fn mean_score(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
     touching.map(|edge| measure(puzzle, images, arrangement, edge).score).sum::<f64>() / 4.0
+}
+
+fn mean_step(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching.map(|edge| measure(puzzle, images, arrangement, edge).step).sum::<f64>() / 4.0
 }
 
 /// Another image with the same texels.

@@ -3,16 +3,19 @@
 //!
 //! 1. [`border`] reads three rows of texels along each side of each image, and two deeper ones: nothing else.
 //! 2. [`pair_cost`] says what it costs to let one border continue another, for all pairs, once.
+//!    [`agreement`] says the same of the patterns along them, by rank: robust where compression hides the rest.
 //! 3. [`search`] finds the cheapest way to lay the images on the faces: exactly, by branch and bound.
 //! 4. [`evidence`] says whether one way is decisively better than another, [`solve`] picks the simplest of those that
-//!    are equally good, [`foreign`] finds faces that fit nowhere.
+//!    are equally good, [`decided`] leaves alone what the pixels do not decide, [`foreign`] finds faces that fit nowhere.
 //!
 //! Data only: this module neither prints nor draws.
 
+mod agreement;
 mod arrangement;
 mod border;
 mod check;
 mod convention;
+mod decided;
 mod display;
 mod edge;
 mod evidence;

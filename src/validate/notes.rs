@@ -40,6 +40,10 @@ pub enum Note {
     Identical {
         images: [Face; 2],
     },
+    /// One flat colour along all borders, about that in which its neighbours end: nobody can say how it lies.
+    Flat {
+        image: Face,
+    },
     Undecided {
         faces: Vec<Face>,
     },
@@ -128,6 +132,9 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
             notes.push(Note::Identical { images: [Face::ALL[one], Face::ALL[other]] });
         }
     }
+    let stranger = |image: Face| check.foreign.iter().any(|one| check.fix.faces[one.face.index()].image == image);
+    let flat = Face::ALL.into_iter().filter(|&image| borders[image.index()].is_flat() && !stranger(image));
+    notes.extend(flat.map(|image| Note::Flat { image }));
     let alpha: Vec<Face> = check.images.iter().filter(|facts| facts.alpha).map(|facts| facts.face).collect();
     if !alpha.is_empty() {
         notes.push(Note::Alpha { images: alpha });
@@ -189,6 +196,13 @@ impl fmt::Display for Note {
             }
             Self::Identical { images: [one, other] } => {
                 write!(formatter, "{} and {} are the same along all their borders", one.name(), other.name())
+            }
+            Self::Flat { image } => {
+                write!(
+                    formatter,
+                    "{} is one flat colour along its borders: it looks the same in any laying",
+                    image.name()
+                )
             }
             Self::Undecided { faces } => {
                 write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))

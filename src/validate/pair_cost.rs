@@ -8,6 +8,7 @@
 
 use rayon::prelude::*;
 
+use super::agreement::Correlation;
 use super::border::ImageBorders;
 use super::display::Display;
 use super::edge::{Border, Side};
@@ -32,6 +33,8 @@ pub type Units = [f32; UNITS];
 pub struct PairCosts {
     units: Vec<Units>,
     totals: Vec<f64>,
+    /// How the patterns along every pair go together: see [`super::agreement`].
+    correlations: Vec<Correlation>,
 }
 
 /// A side of one of the six images, 0 to 23.
@@ -61,13 +64,25 @@ impl PairCosts {
                 units[index(other, one, reversed)] = cost;
             }
         }
+        let mut correlations = vec![Correlation::default(); 24 * 24 * 2];
+        for (one, other) in (0..24).flat_map(|one| (0..24).map(move |other| (one, other))) {
+            for reversed in [false, true] {
+                correlations[index(one, other, reversed)] =
+                    forwards[one].pattern.correlation(&forwards[other].pattern, reversed);
+            }
+        }
         let total = |units: &Units| units.iter().map(|&unit| f64::from(unit)).sum();
-        Self { totals: units.iter().map(total).collect(), units }
+        Self { totals: units.iter().map(total).collect(), units, correlations }
     }
 
     /// The costs of the first border continuing the second.
     pub fn units(&self, images: [Face; 2], borders: [Border; 2]) -> &Units {
         &self.units[Self::index(images, borders)]
+    }
+
+    /// How the patterns along the two borders go together.
+    pub fn correlation(&self, images: [Face; 2], borders: [Border; 2]) -> Correlation {
+        self.correlations[Self::index(images, borders)]
     }
 
     pub fn total(&self, images: [Face; 2], borders: [Border; 2]) -> f64 {
@@ -172,6 +187,6 @@ impl PairCosts {
             }
         }
         let units = totals.iter().map(|&total| [(total / UNITS as f64) as f32; UNITS]).collect();
-        Self { units, totals }
+        Self { units, totals, correlations: vec![Correlation::default(); 24 * 24 * 2] }
     }
 }

@@ -5,6 +5,7 @@
 //! 3 those of its quarters, and so on. What the pictures have in common at a seam shows at every scale for which there
 //! is detail, an exposure that differs from face to face in coefficient 0 alone.
 
+use super::agreement::Pattern;
 use super::border::{ImageBorders, Row};
 use super::edge::Side;
 
@@ -21,7 +22,10 @@ pub struct Signal {
     pub border: Coefficients,
     /// The slope towards the side over the depth h, corrected for the bend of the cube: see [`slope`].
     pub slope: Coefficients,
-    /// Mean square, by band and colour, of the change from one row to the next inside the picture.
+    /// The brightness along the outermost row.
+    pub pattern: Pattern,
+    /// Mean square, by band and colour, of the change from one row to the next inside the picture. Within a block of a JPEG
+    /// file rows are more alike than across two, as they are at a seam: there the larger change counts.
     pub change: Vec<Colour>,
     /// Mean square of the change of the slope inside the picture.
     pub bend: Vec<Colour>,
@@ -35,8 +39,17 @@ impl Signal {
         let first = slope(&rows[0], &deep[0], &rows[0], image.depth, image.texels);
         let second = slope(&deep[0], &deep[1], &rows[0], image.depth, image.texels);
         let changes = [difference(&rows[0], &rows[1]), difference(&rows[1], &rows[2])].map(haar);
+        let mut change = band_means(&changes);
+        if let Some(blocks) = &image.sides[side.index()].blocks {
+            let [within, beyond] = [0, 1].map(|index| row(&blocks[index]));
+            let across = band_means(&[haar(difference(&within, &beyond))]);
+            for (change, across) in change.iter_mut().zip(across) {
+                *change = std::array::from_fn(|channel| change[channel].max(across[channel]));
+            }
+        }
         Self {
-            change: band_means(&changes),
+            pattern: Pattern::new(&rows[0].iter().map(|colour| colour[0]).collect::<Vec<f32>>()),
+            change,
             bend: band_means(&[haar(difference(&first, &second))]),
             border: haar(rows[0].clone()),
             slope: haar(first),

@@ -1,7 +1,7 @@
 //! From the cheapest arrangement to the fix: of all that are equally good the one with the fewest and simplest changes.
 
 use super::arrangement::{Arrangement, Puzzle};
-use super::border::{Borders, ImageBorders};
+use super::border::Borders;
 use super::convention::{self, Convention};
 use super::edge::EdgeBorders;
 use super::foreign::{self, Foreign, Reason};
@@ -18,7 +18,8 @@ use crate::error::Result;
 pub struct Solution {
     pub arrangement: Arrangement,
     pub convention: Option<Convention>,
-    /// By face how many of the seven other layings are decisively worse, whatever the other faces then do.
+    /// By face how many of the seven other layings are decisively worse, whatever the other faces then do, or show the
+    /// same picture.
     pub excluded: [usize; 6],
     /// The standard errors by which the best essentially different arrangement is worse.
     pub margin: f64,
@@ -26,6 +27,8 @@ pub struct Solution {
     pub equivalents: usize,
     /// The face whose image does not belong.
     pub foreign: Option<Foreign>,
+    /// True if something is wrong that the pixels show but cannot mend: nothing that would change is decided.
+    pub unsettled: bool,
 }
 
 /// The mean fit of seams from which on the six pictures have nothing to do with each other.
@@ -58,7 +61,7 @@ pub struct Question<'a> {
 }
 
 impl Question<'_> {
-    fn given(&self) -> Arrangement {
+    pub fn given(&self) -> Arrangement {
         Arrangement::given(Face::ALL.map(|face| self.lookup.row(face).image))
     }
 
@@ -70,7 +73,7 @@ impl Question<'_> {
                 let image = arrangement.images[foreign.face.index()];
                 // Were the others wrong too, the face would be one of several that changed places.
                 let others_fit = !self.puzzle.compare_without(&best, &arrangement, Some(image)).is_decisive();
-                let solution = self.solution(arrangement, None, Some(foreign), 1);
+                let solution = self.solution(arrangement, None, Some(foreign), 1)?;
                 if others_fit && solution.tells(&self.given()) {
                     return Ok(solution);
                 }
@@ -79,12 +82,12 @@ impl Question<'_> {
         let ties = self.ties(&best);
         let (arrangement, convention) = self.simplest(&best, &ties, any_order);
         let alike: usize = ties.iter().map(Vec::len).product();
-        let solution = self.solution(arrangement, convention, None, if any_order { 48 * alike } else { alike });
+        let solution = self.solution(arrangement, convention, None, if any_order { 48 * alike } else { alike })?;
         let related = self.puzzle.mean_fit(&arrangement) < UNRELATED;
         if arrangement == self.given() || (related && solution.tells(&self.given())) {
-            return Ok(solution);
+            return Ok(self.keeping_undecided(solution));
         }
-        Ok(self.solution(self.given(), None, None, solution.equivalents))
+        self.solution(self.given(), None, None, solution.equivalents)
     }
 
     fn foreign(&self, arrangement: &Arrangement) -> Result<Option<(Foreign, Arrangement)>> {
@@ -94,12 +97,20 @@ impl Question<'_> {
             return Ok(found);
         }
         // A frame that was seen around some of the images only would make them strangers to the others: the finding
-        // must hold one row further inside all six.
-        let within = self.images.clone().map(|image| ImageBorders { framed: true, ..image });
-        let puzzle = Puzzle { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
-        let again = foreign::find(self.map, &puzzle, &within, arrangement)?;
-        let confirmed = again.is_some_and(|(other, _)| other.face == stranger.face);
-        Ok(found.filter(|_| confirmed))
+        // must hold one row further inside all six, and inside the stranger alone.
+        let image = arrangement.images[stranger.face.index()];
+        for only in [None, Some(image)] {
+            let mut within = self.images.clone();
+            for inner in Face::ALL.into_iter().filter(|&face| only.is_none_or(|only| only == face)) {
+                within[inner.index()].framed = true;
+            }
+            let puzzle = Puzzle { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
+            let again = foreign::find(self.map, &puzzle, &within, arrangement)?;
+            if again.is_none_or(|(other, _)| other.face != stranger.face) {
+                return Ok(None);
+            }
+        }
+        Ok(found)
     }
 
     /// The cheapest arrangement, and whether images changed places for it.
@@ -123,9 +134,9 @@ impl Question<'_> {
         convention: Option<Convention>,
         foreign: Option<Foreign>,
         equivalents: usize,
-    ) -> Solution {
-        let (excluded, margin) = self.alternatives(&arrangement, foreign.map(|foreign| foreign.face));
-        Solution { arrangement, convention, excluded, margin, equivalents, foreign }
+    ) -> Result<Solution> {
+        let (excluded, margin) = self.alternatives(&arrangement, foreign.map(|foreign| foreign.face))?;
+        Ok(Solution { arrangement, convention, excluded, margin, equivalents, foreign, unsettled: false })
     }
 
     /// By face the layings that are as good as the best one's, itself first.
@@ -225,39 +236,6 @@ impl Question<'_> {
             |axis: SignedAxis| arrangement.images[Face::on_axis(usize::from(axis.axis), !axis.negative).index()];
         (image(up), image(-up)) != (sky, ground)
     }
-
-    /// By face the number of other layings that are decisively worse, and the standard errors by which the best of
-    /// all those is worse. The seams of a face that does not belong tell nothing, in whatever laying.
-    fn alternatives(&self, found: &Arrangement, foreign: Option<Face>) -> ([usize; 6], f64) {
-        let mut excluded = [0; 6];
-        let mut margin = f64::INFINITY;
-        let without = foreign.map(|face| found.images[face.index()]);
-        for face in Face::ALL.into_iter().filter(|&face| foreign != Some(face)) {
-            let others = if foreign.is_some() { relaid(found, face) } else { self.others(found, face) };
-            for other in others {
-                let comparison = self.puzzle.compare_without(found, &other, without);
-                if comparison.is_decisive() {
-                    excluded[face.index()] += 1;
-                    margin = margin.min(comparison.standard_errors());
-                }
-            }
-        }
-        (excluded, if margin.is_finite() { margin } else { 0.0 })
-    }
-
-    /// The cheapest arrangements of the same images with another laying of the face.
-    fn others(&self, found: &Arrangement, face: Face) -> Vec<Arrangement> {
-        let own = found.layings[face.index()];
-        let base = Arrangement::given(found.images);
-        let fixed = |laying| Freedom { fixed: Some((face, laying)), ..Freedom::TRUSTED };
-        (0..8).filter(|&laying| laying != own).map(|laying| cheapest(self.puzzle, &base, fixed(laying))).collect()
-    }
-}
-
-/// The seven arrangements that lay one face otherwise and leave the others as they are.
-fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
-    let others = (0..8).filter(|&laying| laying != found.layings[face.index()]);
-    others.map(|laying| found.with_laying(face, laying)).collect()
 }
 
 /// The convention that an arrangement is.

@@ -1,0 +1,76 @@
+//! `check` on downloads that went wrong: a web page or a git-lfs pointer under the name of a picture.
+
+use std::path::Path;
+use std::process::{Command, Output};
+
+use tempfile::TempDir;
+
+const PAGE: &[u8] = b"<!DOCTYPE html>\n<html><head><title>Sign in</title></head><body>posx.jpg</body></html>\n";
+const POINTER: &[u8] =
+    b"version https://git-lfs.github.com/spec/v1\noid sha256:4d7a214614ab2935c943f9e0ff69d22eadbb8f32b1258daaa5e2ca24d17e2393\nsize 123456\n";
+
+/// A folder with the compass as a map of this name.
+fn copy_compass(folder: &Path, name: &str) {
+    let map = folder.join(name);
+    std::fs::create_dir(&map).unwrap();
+    let compass = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass");
+    for face in ["posx", "negx", "posy", "negy", "posz", "negz"] {
+        let file = format!("{face}.png");
+        std::fs::copy(compass.join(&file), map.join(&file)).unwrap();
+    }
+}
+
+/// The same with one face that is something else under the name of a JPEG.
+fn copy_with(folder: &Path, name: &str, face: &str, bytes: &[u8]) {
+    copy_compass(folder, name);
+    std::fs::remove_file(folder.join(name).join(format!("{face}.png"))).unwrap();
+    std::fs::write(folder.join(name).join(format!("{face}.jpg")), bytes).unwrap();
+}
+
+fn skycube(folder: &TempDir, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder.path()).output().unwrap()
+}
+
+fn text(bytes: &[u8]) -> &str {
+    std::str::from_utf8(bytes).unwrap()
+}
+
+#[test]
+fn one_map_is_refused_with_the_file_and_what_it_is() {
+    for (bytes, what) in [(PAGE, "this is a web page (HTML), not a picture"), (POINTER, "this is a git-lfs pointer")] {
+        let folder = TempDir::new().unwrap();
+        copy_with(folder.path(), "sky", "negz", bytes);
+        let output = skycube(&folder, &["check", "sky"]);
+        assert_eq!(output.status.code(), Some(2), "{what}");
+        assert!(output.stdout.is_empty(), "{}", text(&output.stdout));
+        let error = text(&output.stderr);
+        assert!(error.starts_with("error: ") && error.contains("negz.jpg") && error.contains(what), "{error}");
+        let fixed = skycube(&folder, &["fix", "sky", "-o", "fixed"]);
+        assert_eq!((fixed.status.code(), folder.path().join("fixed").exists()), (Some(2), false));
+    }
+}
+
+#[test]
+fn the_rest_of_a_folder_of_maps_is_still_checked() {
+    let folder = TempDir::new().unwrap();
+    let maps = folder.path().join("maps");
+    std::fs::create_dir(&maps).unwrap();
+    copy_with(&maps, "a-page", "posx", PAGE);
+    copy_compass(&maps, "compass");
+    copy_with(&maps, "pointer", "negy", POINTER);
+    std::fs::write(maps.join("archive.zip"), PAGE).unwrap();
+    std::fs::write(maps.join("readme.txt"), "not a map").unwrap();
+    let output = skycube(&folder, &["check", "maps"]);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    let report = text(&output.stdout).replace('\\', "/");
+    let lines: Vec<&str> = report.lines().collect();
+    assert_eq!(lines[0], "maps/a-page: cannot be checked: this is a web page (HTML), not a picture");
+    assert!(lines[1].starts_with("maps/archive.zip: cannot be checked: "), "{}", lines[1]);
+    assert_eq!(lines[2], "maps/compass: fits");
+    assert_eq!(lines[3], "maps/pointer: cannot be checked: this is a git-lfs pointer, not the picture itself");
+    assert_eq!(lines[4..], ["4 maps: 1 fit, 0 broken, 0 undecidable, 3 could not be checked"]);
+    let errors = text(&output.stderr);
+    for part in ["posx.jpg", "a web page (HTML)", "negy.jpg", "a git-lfs pointer", "archive.zip"] {
+        assert!(errors.contains(part), "{part}: {errors}");
+    }
+}

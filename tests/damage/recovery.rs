@@ -1,0 +1,177 @@
+//! Damage done to a right map, and how it came back.
+#![allow(dead_code)] // Every test uses a part of it.
+
+use skycube::envmap::{Face, Laying};
+use skycube::validate::{Check, Names};
+
+use super::pictures::Map;
+use super::random::Random;
+
+/// How a damaged map came back.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Outcome {
+    /// Pixel for pixel the original, or turned or mirrored as a whole where images may change places.
+    Recovered,
+    /// All that differs from the original are faces called undecided and left as they were, and they are undecided in
+    /// the original too: by the evidence the result is as good.
+    Tied,
+    /// All that differs from the original are faces called undecided and left as they were, but in the original the
+    /// pixels decide them.
+    Undecided,
+    Wrong,
+}
+
+/// What was done to a map: per face the image and the laying of that image.
+#[derive(Debug, Clone, Copy)]
+pub struct Damage {
+    pub images: [usize; 6],
+    pub layings: [Laying; 6],
+}
+
+impl Damage {
+    pub const NONE: Self = Self { images: [0, 1, 2, 3, 4, 5], layings: [Laying::IDENTITY; 6] };
+
+    /// One face in another laying.
+    pub fn laying(face: usize, laying: Laying) -> Self {
+        let mut damage = Self::NONE;
+        damage.layings[face] = laying;
+        damage
+    }
+
+    /// Two images in each other's place.
+    pub fn swap(one: usize, other: usize) -> Self {
+        let mut damage = Self::NONE;
+        damage.images.swap(one, other);
+        damage
+    }
+
+    /// Each of the seven wrong layings on each face.
+    pub fn of_one_face() -> Vec<Self> {
+        let wrong = |face: usize| Laying::ALL[1..].iter().map(move |&laying| Self::laying(face, laying));
+        (0..6).flat_map(wrong).collect()
+    }
+
+    pub fn random_layings(count: usize) -> Vec<Self> {
+        let mut random = Random(7);
+        (0..count).map(|_| Self { layings: [(); 6].map(|()| Laying::ALL[random.below(8)]), ..Self::NONE }).collect()
+    }
+
+    pub fn swaps(count: usize) -> Vec<Self> {
+        let mut random = Random(11);
+        let mut swap = || {
+            let (one, other) = (random.below(6), random.below(5));
+            Self::swap(one, if other >= one { other + 1 } else { other })
+        };
+        (0..count).map(|_| swap()).collect()
+    }
+}
+
+/// Counts of one row of the table.
+#[derive(Debug, Default)]
+pub struct Tally {
+    pub recovered: usize,
+    pub tied: usize,
+    pub undecided: usize,
+    pub wrong: Vec<String>,
+}
+
+/// A right map, and what the check says of it as it is.
+pub struct Recovery<'a> {
+    map: &'a Map,
+    names: Names,
+    /// The images that the pixels of the right map decide.
+    decided: [bool; 6],
+}
+
+impl<'a> Recovery<'a> {
+    pub fn of(map: &'a Map, names: Names) -> Self {
+        Self { map, names, decided: map.check(names).fix.faces.map(|fix| fix.decided) }
+    }
+
+    pub fn tally(&self, damages: &[Damage]) -> Tally {
+        let mut tally = Tally::default();
+        for damage in damages {
+            match self.outcome(damage) {
+                Outcome::Recovered => tally.recovered += 1,
+                Outcome::Tied => tally.tied += 1,
+                Outcome::Undecided => tally.undecided += 1,
+                Outcome::Wrong => tally.wrong.push(self.described(damage)),
+            }
+        }
+        tally
+    }
+
+    /// Damages the map, checks it and says whether the fix undoes the damage.
+    pub fn outcome(&self, damage: &Damage) -> Outcome {
+        let check = self.map.damaged(&damage.images, &damage.layings).check(self.names);
+        assert_undecided_are_left_alone(&check);
+        let mut unlike = Vec::new();
+        for fix in check.fix.faces {
+            // What the face shows after the fix: which original image, laid how.
+            let source = damage.images[fix.image.index()];
+            let laying = damage.layings[fix.image.index()].after(fix.laying);
+            if self.map.looks_alike(source, laying, fix.face.index()) {
+                continue;
+            }
+            if fix.decided || source != fix.face.index() {
+                return self.equivalent_or_wrong(damage, &check);
+            }
+            unlike.push(source);
+        }
+        if unlike.is_empty() { Outcome::Recovered } else { self.left_alone(&unlike) }
+    }
+
+    /// What was done and what was found, for messages.
+    fn described(&self, damage: &Damage) -> String {
+        let check = self.map.damaged(&damage.images, &damage.layings).check(self.names);
+        let done = damage.layings.map(|laying| laying.formulas());
+        let found = check.fix.faces.map(|fix| (fix.image.name(), fix.laying.formulas(), fix.decided));
+        format!("images {:?} laid {done:?}: {:?} {found:?} {:?}", damage.images, check.verdict, check.foreign)
+    }
+
+    /// The outcome if these original images are undecided and do not lie as in the original.
+    fn left_alone(&self, images: &[usize]) -> Outcome {
+        if images.iter().any(|&image| self.decided[image]) { Outcome::Undecided } else { Outcome::Tied }
+    }
+
+    /// With images that change places the original may come back turned or mirrored as a whole: then its seams are those
+    /// of the original, pair by pair.
+    fn equivalent_or_wrong(&self, damage: &Damage, check: &Check) -> Outcome {
+        if self.names == Names::Trusted && damage.images == Damage::NONE.images {
+            return Outcome::Wrong;
+        }
+        let images = check.fix.faces.map(|fix| damage.images[fix.image.index()]);
+        let layings = check.fix.faces.map(|fix| damage.layings[fix.image.index()].after(fix.laying));
+        let fixed = self.map.damaged(&images, &layings);
+        let mut original = steps(self.map, &[]);
+        let mut found = steps(&fixed, &[]);
+        original.sort_unstable();
+        found.sort_unstable();
+        if found == original {
+            return Outcome::Recovered;
+        }
+        // Where undecided faces lie otherwise the rest must still be equal: all broken seams are at such faces.
+        let undecided: Vec<Face> = check.fix.faces.iter().filter(|fix| !fix.decided).map(|fix| fix.face).collect();
+        let rest = steps(&fixed, &undecided);
+        if undecided.is_empty() || !rest.iter().all(|step| original.contains(step)) {
+            return Outcome::Wrong;
+        }
+        self.left_alone(&undecided.iter().map(|face| images[face.index()]).collect::<Vec<_>>())
+    }
+}
+
+/// The steps at the seams of a map that touch none of some faces. Those of an equivalent map are the same in another order.
+fn steps(map: &Map, without: &[Face]) -> Vec<i64> {
+    let seams = map.check(Names::Trusted).seams;
+    let kept = seams.iter().filter(|seam| !without.iter().any(|&face| seam.edge.touches(face)));
+    kept.map(|seam| (seam.step * 1e6).round() as i64).collect()
+}
+
+/// A guess is no fix: a face that is not decided keeps its laying, but where a convention explains all six.
+fn assert_undecided_are_left_alone(check: &Check) {
+    for fix in check.fix.faces.iter().filter(|fix| !fix.decided && check.fix.convention.is_none()) {
+        let kept = fix.laying == Laying::IDENTITY;
+        let moved = fix.image != check.lookup.row(fix.face).image;
+        assert!(kept || moved, "{} is undecided and changed: {:?}", fix.face.name(), check.fix);
+    }
+}
