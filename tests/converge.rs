@@ -10,8 +10,8 @@ use skycube::render::Progress;
 use skycube::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
 use skycube::scene::Scene;
 use skycube::study::converge::{
-    Comparison, Configuration, Convergence, Curve, Protocol, Schedule, Step, Unwatched, Variation, Watch, Work, converge,
-    variants,
+    Comparison, Configuration, Convergence, Curve, Protocol, Schedule, Step, Unwatched, Variation, Watch, Work,
+    converge, variants,
 };
 
 /// A rough ball on a floor under a lamp, small.
@@ -93,7 +93,8 @@ fn a_depth_limit_leaves_a_bias_that_does_not_shrink() {
 
 #[test]
 fn whitted_and_phong_scenes_have_an_antialiasing_error() {
-    let text = LAMP.replace("\"path\"", "\"whitted\"").replace("metal\", reflectance = 0.8, roughness = 0.4", "phong\"");
+    let text =
+        LAMP.replace("\"path\"", "\"whitted\"").replace("metal\", reflectance = 0.8, roughness = 0.4", "phong\"");
     let text = text.replace("kind = \"phong\"\" }", "kind = \"phong\", diffuse = 0.6 }")
         + "lights = [{ kind = \"point\", position = [3, -4, 6], intensity = 60 }]\n";
     for kind in ["whitted", "phong"] {

@@ -20,7 +20,7 @@ use crate::scene::{Plan, Scene};
 use chain::{ChainTracer, Landing, Turn};
 use emission::{Bundle, Casters};
 use photon::{Forecast, Photon};
-use tree::PhotonTree;
+use tree::{HANDFUL, PhotonTree};
 
 /// Bundles of rays sent out a pixel of the picture, and bounds on their number.
 const BUNDLES_A_PIXEL: f64 = 0.25;
@@ -76,32 +76,41 @@ impl Directions<'_> {
     /// A unit direction and its density by solid angle.
     #[inline]
     pub fn draw(&self, place: [f64; 2], choice: f64) -> (DVec3, f64) {
-        let total: f64 = self.forecasts().map(|forecast| forecast.weight).sum();
+        let forecasts = self.forecasts();
+        let total: f64 = forecasts.iter().map(|forecast| forecast.weight).sum();
         let mut left = choice * total;
-        let mut chosen = None;
-        for forecast in self.forecasts() {
-            chosen = Some(forecast);
-            left -= forecast.weight;
-            if left < 0.0 {
-                break;
-            }
+        let mut chosen = 0;
+        while chosen + 1 < self.photons.len() && left >= forecasts[chosen].weight {
+            left -= forecasts[chosen].weight;
+            chosen += 1;
         }
-        let direction = chosen.map_or(DVec3::Z, |forecast| forecast.draw(place));
-        (direction, self.density(direction))
+        let direction = self.photons[chosen].draw(&forecasts[chosen], place);
+        (direction, self.mixed_density(&forecasts, direction))
     }
 
     /// Density with which [`Directions::draw`] chooses a unit direction.
     pub fn density(&self, direction: DVec3) -> f64 {
-        let (mut total, mut sum) = (0.0, 0.0);
-        for forecast in self.forecasts() {
-            total += forecast.weight;
-            sum += forecast.weight * forecast.density(direction);
-        }
-        sum / total
+        self.mixed_density(&self.forecasts(), direction)
     }
 
-    fn forecasts(&self) -> impl Iterator<Item = Forecast> {
-        self.photons.iter().map(|photon| photon.forecast(self.point))
+    /// What each photon foresees; none where there is no photon.
+    #[inline]
+    fn forecasts(&self) -> [Forecast; HANDFUL] {
+        let mut forecasts = [Forecast::default(); HANDFUL];
+        for (forecast, photon) in forecasts.iter_mut().zip(self.photons) {
+            *forecast = photon.forecast(self.point);
+        }
+        forecasts
+    }
+
+    #[inline]
+    fn mixed_density(&self, forecasts: &[Forecast; HANDFUL], direction: DVec3) -> f64 {
+        let (mut total, mut sum) = (0.0, 0.0);
+        for (photon, forecast) in self.photons.iter().zip(forecasts) {
+            total += forecast.weight;
+            sum += forecast.weight * photon.density(forecast, direction);
+        }
+        sum / total
     }
 }
 
@@ -145,34 +154,41 @@ impl Landed {
     fn photon(&self, width: f64) -> Photon {
         let Landing { position, normal, towards } = self.landing;
         let Frame { tangent, bitangent, .. } = Frame::around(normal);
+        let along = [tangent, bitangent];
         let view = Frame::around(towards);
-        let mut photon = Photon {
+        let unknown = Photon {
             position,
             towards,
-            along: [tangent, bitangent],
-            turn: [DVec3::ZERO; 2],
             axes: [view.tangent, view.bitangent],
+            along,
+            turn: [[0.0; 2]; 2],
             half: [width; 2],
             drift: 0.0,
         };
-        let Some([one, other]) = self.moved else { return photon };
-        // Places on the surface as two coordinates: the 2 x 2 matrix Y of moving, inverted.
+        let Some(turn) = self.turn_along(along) else { return unknown };
+        let (axes, half) = match self.turned {
+            // Seen from the same place: what turning the source does, less what the move does that brings the ray back.
+            Some(turned) => {
+                let seen = |(place, direction): (DVec3, DVec3)| {
+                    (direction - turn[0] * tangent.dot(place) - turn[1] * bitangent.dot(place)) * width
+                };
+                ellipse_axes(turned.map(seen), towards)
+            }
+            None => (unknown.axes, unknown.half),
+        };
+        let on_plane = |vector: DVec3| axes.map(|axis| axis.dot(vector));
+        Photon { axes, turn: turn.map(on_plane), half, ..unknown }
+    }
+
+    /// J = W Y^-1: the change of direction for a step along either axis of the surface, from the changes of place Y and of
+    /// direction W by moving the start of the ray. `None` where neighbours went another way or all land in one line.
+    fn turn_along(&self, [tangent, bitangent]: [DVec3; 2]) -> Option<[DVec3; 2]> {
+        let [one, other] = self.moved?;
         let flat = |offset: DVec3| [tangent.dot(offset), bitangent.dot(offset)];
         let ([a, c], [b, d]) = (flat(one.0), flat(other.0));
         let determinant = a * d - b * c;
-        if determinant.abs() < 1e-6 * (a * a + b * b + c * c + d * d) {
-            return photon;
-        }
-        // J = W Y^-1: the change of direction for a step along either axis of the surface.
-        photon.turn = [(one.1 * d - other.1 * c) / determinant, (other.1 * a - one.1 * b) / determinant];
-        let Some(turned) = self.turned else { return photon };
-        // Seen from the same place: what turning the source does, less what the move does that brings the ray back.
-        let image = turned.map(|(place, direction)| {
-            let [x, y] = flat(place);
-            (direction - photon.turn[0] * x - photon.turn[1] * y) * width
-        });
-        (photon.axes, photon.half) = ellipse_axes(image, towards);
-        photon
+        let flattened = determinant.abs() < 1e-6 * (a * a + b * b + c * c + d * d);
+        (!flattened).then(|| [(one.1 * d - other.1 * c) / determinant, (other.1 * a - one.1 * b) / determinant])
     }
 }
 

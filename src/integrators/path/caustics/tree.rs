@@ -4,7 +4,7 @@ use super::photon::Photon;
 use crate::math::{Bounds, DVec3};
 
 /// The most photons of one box.
-const HANDFUL: usize = 8;
+pub(super) const HANDFUL: usize = 8;
 
 /// A tree of boxes over the photons, halved along the longest side until few are left in each (Bentley,
 /// Multidimensional Binary Search Trees, 1975).
@@ -85,7 +85,8 @@ fn learn_drift(photons: &mut [Photon]) {
         let straight = Photon { drift: 0.0, ..*photon };
         let misses = known.iter().enumerate().filter(|(other, _)| *other != index).filter_map(|(_, other)| {
             let squared = (other.position - photon.position).length_squared();
-            let miss = straight.forecast(other.position).distance(other.towards) - photon.half[0].max(photon.half[1]);
+            let miss =
+                straight.miss(&straight.forecast(other.position), other.towards) - photon.half[0].max(photon.half[1]);
             (squared > 0.0).then(|| miss.max(0.0) / squared)
         });
         photon.drift = misses.fold(f64::INFINITY, f64::min).min(1e6);
