@@ -292,9 +292,15 @@ fn a_reference_is_taken_from_the_cache_until_the_scene_changes() {
 
 #[test]
 fn lookups_are_compared_where_there_is_a_cube_map() {
-    let lesson = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/environment-with.toml");
+    // So narrow a view that a texel covers several pixels: that is where lookups differ.
+    let courtyard = concat!(env!("CARGO_MANIFEST_DIR"), "/envmaps/courtyard");
+    let narrow = format!(
+        "camera = {{ position = [0, 0, 0], target = [3, 1, 0.3], field_of_view = 1, size = [48, 30] }}\n\
+         environment = {{ kind = \"cube-map\", map = '{courtyard}', lookup = \"humus-z-up\" }}\n"
+    );
     let folder = tempfile::tempdir().unwrap();
-    let arguments = ["converge", lesson, "--compare", "lookups", "--samples", "1,16", "--size", "48x30", "--json"];
+    std::fs::write(folder.path().join("narrow.toml"), narrow).unwrap();
+    let arguments = ["converge", "narrow.toml", "--compare", "lookups", "--samples", "1,16", "--json"];
     let report = report_of(&skycube(folder.path(), &arguments));
     let curves = report["scenes"][0]["curves"].as_array().unwrap();
     assert_eq!(report["scenes"][0]["references"][0]["configuration"]["environment_filter"], "seamless");

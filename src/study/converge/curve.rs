@@ -26,7 +26,7 @@ pub struct Step {
     pub rays: u64,
     pub errors: Errors,
     pub bias: Bias,
-    /// The pictures of all seeds, averaged into one number each: their means over pixels and channels.
+    /// Mean over all pixels and channels of the pictures of all seeds.
     pub mean_radiance: f64,
 }
 
