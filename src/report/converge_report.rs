@@ -195,8 +195,8 @@ impl ConvergedScene {
         let head = "at the last step";
         writeln!(
             formatter,
-            "\n{head:width$} {:>9} {:>9} {:>9} {:>10} {:>7}  {}",
-            "samples", "seconds", "RMSE", "bias", "slope", "time for the error of the best"
+            "\n{head:width$} {:>9} {:>9} {:>9} {:>10} {:>7}  time for the error of the best",
+            "samples", "seconds", "RMSE", "bias", "slope"
         )?;
         for curve in curves {
             let step = last(curve);
