@@ -3,6 +3,7 @@
 mod bake;
 mod check;
 mod compare;
+mod converge;
 mod cross;
 mod fix;
 mod interrupt;
@@ -49,6 +50,8 @@ enum Command {
     Check(check::CheckArguments),
     /// Compare a picture with the expected one, and name what it does differently
     Compare(compare::CompareArguments),
+    /// Measure error against run time, and compare integrators, strategies, samplers, ...
+    Converge(converge::ConvergeArguments),
     /// Draw a map unfolded, as the lookup shows it, with its seams
     Cross(cross::CrossArguments),
     /// Follow the lookup of one direction step by step
@@ -66,6 +69,7 @@ pub fn run() -> ExitCode {
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
+        Command::Converge(arguments) => converge::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),

@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
+use std::time::Duration;
 
 use clap::Args;
 
@@ -19,6 +20,13 @@ pub struct SceneOverrides {
     /// Samples a pixel
     #[arg(long, visible_alias = "spp", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub samples: Option<u32>,
+    #[command(flatten)]
+    settings: SettingOverrides,
+}
+
+/// The same but for the count of samples.
+#[derive(Debug, Args)]
+pub struct SettingOverrides {
     /// How light is followed
     #[arg(long, value_enum)]
     pub integrator: Option<IntegratorKind>,
@@ -51,8 +59,21 @@ pub struct SceneOverrides {
 impl SceneOverrides {
     /// Reads the scene and applies the overrides.
     pub fn read_scene(&self, file: &Path) -> Result<Scene> {
-        let mut scene = Scene::read_with_environment(file, self.environment.clone())?;
+        let mut scene = self.settings.read_scene(file)?;
         scene.samples = self.samples.unwrap_or(scene.samples);
+        Ok(scene)
+    }
+
+    /// The threads to render on.
+    pub fn thread_pool(&self) -> Result<rayon::ThreadPool> {
+        self.settings.thread_pool()
+    }
+}
+
+impl SettingOverrides {
+    /// Reads the scene and applies the overrides.
+    pub fn read_scene(&self, file: &Path) -> Result<Scene> {
+        let mut scene = Scene::read_with_environment(file, self.environment.clone())?;
         scene.integrator.kind = self.integrator.unwrap_or(scene.integrator.kind);
         scene.integrator.depth = self.depth.unwrap_or(scene.integrator.depth);
         scene.integrator.strategy = self.strategy.unwrap_or(scene.integrator.strategy);
@@ -111,6 +132,22 @@ impl FromStr for PictureSize {
             .map(Self)
             .ok_or_else(|| "expected width x height in pixels, such as 640x480, each from 1 to 65536".to_owned())
     }
+}
+
+/// A time with its unit.
+pub fn parse_duration(text: &str) -> std::result::Result<Duration, String> {
+    let split = text.find(|letter: char| letter.is_ascii_alphabetic()).unwrap_or(text.len());
+    let (digits, unit) = text.split_at(split);
+    let seconds = match unit {
+        "ms" => 1e-3,
+        "s" | "" => 1.0,
+        "m" | "min" => 60.0,
+        "h" => 3600.0,
+        _ => return Err("expected a time such as 500ms, 10s, 2m or 1h".to_owned()),
+    };
+    let number: Option<f64> = digits.trim().parse().ok();
+    let time = number.map(|number| number * seconds).filter(|time| (1e-3..=1e7).contains(time));
+    time.map(Duration::from_secs_f64).ok_or_else(|| "expected a time such as 500ms, 10s, 2m or 1h".to_owned())
 }
 
 /// The lookup a name or a file stands for.

@@ -7,7 +7,9 @@ use clap::Args;
 
 use super::Outcome;
 use super::interrupt;
-use super::options::{PictureOptions, PictureSize, SceneOverrides, check_pixel_count, refuse_to_overwrite_sources};
+use super::options::{
+    PictureOptions, PictureSize, SceneOverrides, check_pixel_count, parse_duration, refuse_to_overwrite_sources,
+};
 use super::progress_bar::RenderBar;
 use crate::error::{Error, Result};
 use crate::picture::{self, Extras, OutputFormat, check_target};
@@ -102,20 +104,4 @@ fn write(arguments: &RenderArguments, scene: &Scene, rendering: &Rendering, outp
 
 fn default_output(scene: &Path) -> PathBuf {
     PathBuf::from(scene.with_extension("png").file_name().unwrap_or("render.png".as_ref()))
-}
-
-/// A time with its unit.
-fn parse_duration(text: &str) -> std::result::Result<Duration, String> {
-    let split = text.find(|letter: char| letter.is_ascii_alphabetic()).unwrap_or(text.len());
-    let (digits, unit) = text.split_at(split);
-    let seconds = match unit {
-        "ms" => 1e-3,
-        "s" | "" => 1.0,
-        "m" | "min" => 60.0,
-        "h" => 3600.0,
-        _ => return Err("expected a time such as 500ms, 10s, 2m or 1h".to_owned()),
-    };
-    let number: Option<f64> = digits.trim().parse().ok();
-    let time = number.map(|number| number * seconds).filter(|time| (1e-3..=1e7).contains(time));
-    time.map(Duration::from_secs_f64).ok_or_else(|| "expected a time such as 500ms, 10s, 2m or 1h".to_owned())
 }

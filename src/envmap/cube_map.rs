@@ -61,6 +61,11 @@ impl CubeMap {
         Self { filter, ..self }
     }
 
+    /// From now on colours between texels are read another way.
+    pub fn set_filter(&mut self, filter: CubeFilter) {
+        self.filter = filter;
+    }
+
     /// Linear colour seen in a direction of any length; black if the image cannot be decoded, see
     /// [`CubeMap::errors`].
     #[inline]

@@ -46,6 +46,14 @@ impl Environment {
         }
     }
 
+    /// The cube map to change, if the environment is one.
+    pub fn cube_map_mut(&mut self) -> Option<&mut CubeMap> {
+        match &mut self.kind {
+            EnvironmentKind::CubeMap(map) => Some(map),
+            _ => None,
+        }
+    }
+
     /// The first picture that a ray reached and that could not be decoded.
     pub fn error(&self) -> Option<&Error> {
         match &self.kind {

@@ -13,7 +13,7 @@ use crate::integrators::{Integrator, RayCounts};
 use crate::materials::MediumStack;
 use crate::math::DVec3;
 use crate::picture::Raster;
-use crate::sampling::{FilteredPlace, PixelSampler};
+use crate::sampling::{FilteredPlace, PixelSampler, Sampling};
 use crate::scene::{Plan, Scene};
 
 /// A finished picture and what it cost.
@@ -40,6 +40,7 @@ pub struct Renderer<'a> {
     source: RaySource<'a>,
     /// The glasses around the camera.
     media: MediumStack,
+    sampling: Sampling,
     /// True if the only sample goes through the middle of the pixel.
     centred: bool,
     tiles: Vec<TileFilm>,
@@ -60,9 +61,15 @@ impl<'a> Renderer<'a> {
     fn from_source(scene: &'a Scene, plan: &'a Plan, source: RaySource<'a>, layers: bool) -> Result<Self> {
         let integrator = Integrator::new(scene, plan)?;
         let media = integrator.media_around(source.position());
-        let even = scene.sampling.filter.is_even();
+        let sampling = scene.sampling;
+        let even = sampling.filter.is_even();
         let tiles = Tile::all(source.size()).into_iter().map(|tile| TileFilm::new(tile, even, layers)).collect();
-        Ok(Self { scene, integrator, source, media, centred: scene.samples == 1, tiles, samples: 0 })
+        Ok(Self { scene, integrator, source, media, sampling, centred: scene.samples == 1, tiles, samples: 0 })
+    }
+
+    /// The same picture with noise of its own. Before the first sample.
+    pub fn seeded(self, seed: u32) -> Self {
+        Self { sampling: Sampling { seed, ..self.sampling }, ..self }
     }
 
     /// From now on every sample has a place of its own in the pixel, even if there is only one.
@@ -79,8 +86,8 @@ impl<'a> Renderer<'a> {
     /// some tiles may have them and others not; each is right by itself.
     pub fn add_samples(&mut self, count: u32, progress: &impl Progress) -> Result<()> {
         let last = self.samples + count;
-        let Self { scene, integrator, source, media, centred, tiles, .. } = self;
-        let pass = Pass { scene, integrator, source, media, centred: *centred, last };
+        let Self { scene, integrator, source, media, sampling, centred, tiles, .. } = self;
+        let pass = Pass { scene, integrator, source, media, sampling: *sampling, centred: *centred, last };
         tiles.par_iter_mut().try_for_each(|film| pass.expose(film, progress))?;
         self.samples = last;
         Ok(())
@@ -108,6 +115,7 @@ struct Pass<'p, 'a> {
     integrator: &'p Integrator<'a>,
     source: &'p RaySource<'a>,
     media: &'p MediumStack,
+    sampling: Sampling,
     centred: bool,
     /// Samples a pixel after the pass.
     last: u32,
@@ -137,7 +145,7 @@ impl Pass<'_, '_> {
     #[inline]
     fn expose_pixel(&self, film: &mut TileFilm, pixel: usize, [x, y]: [usize; 2]) {
         for index in film.samples..self.last {
-            let mut sampler = PixelSampler::chosen(self.scene.sampling, x, y, index);
+            let mut sampler = PixelSampler::chosen(self.sampling, x, y, index);
             let (place, lens_place) = self.place(&mut sampler);
             let ray = self.source.ray(x as f64 + place.across, y as f64 + place.down, lens_place);
             let radiance = self.integrator.radiance(&ray, self.media, &mut sampler, &mut film.counts);
@@ -153,7 +161,7 @@ impl Pass<'_, '_> {
             return (FilteredPlace { across: 0.5, down: 0.5, weight: 1.0 }, [0.5, 0.5]);
         }
         let [across, down, lens_x, lens_y] = sampler.four().map(f64::from);
-        (self.scene.sampling.filter.place([across, down]), [lens_x, lens_y])
+        (self.sampling.filter.place([across, down]), [lens_x, lens_y])
     }
 }
 

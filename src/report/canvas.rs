@@ -143,7 +143,8 @@ fn polygon(points: &[(f32, f32)], closed: bool) -> Path {
     builder.finish().expect("a polygon has points")
 }
 
-fn paint(colour: Color) -> Paint<'static> {
+/// Smooth edges, one colour.
+pub(super) fn paint(colour: Color) -> Paint<'static> {
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
     paint.set_color(colour);
     paint

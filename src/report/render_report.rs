@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use serde::Serialize;
 
+use super::grouped::grouped;
 use crate::envmap::Face;
 use crate::integrators::RayCounts;
 use crate::render::Rendering;
@@ -126,27 +127,4 @@ fn decoded_images(scene: &Scene) -> (Vec<&'static str>, Option<String>) {
     let unseen: Vec<&str> = Face::ALL.into_iter().filter(|image| !looked_at.contains(image)).map(Face::name).collect();
     let sentence = (!unseen.is_empty()).then(|| format!("no ray reached {}: not decoded", unseen.join(", ")));
     (looked_at.into_iter().map(Face::name).collect(), sentence)
-}
-
-/// A number with a thin gap between groups of three digits.
-fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (index, digit) in digits.chars().enumerate() {
-        if index > 0 && (digits.len() - index).is_multiple_of(3) {
-            text.push(' ');
-        }
-        text.push(digit);
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn groups_digits_by_three() {
-        assert_eq!([0, 999, 1000, 1_234_567].map(grouped), ["0", "999", "1 000", "1 234 567"]);
-    }
 }

@@ -1,6 +1,7 @@
-//! What one picture is against another: metrics, and what a student's picture does differently. Data only.
+//! What one picture is against another: metrics, what a student's picture does differently, error against run time. Data only.
 
 pub mod comparison;
+pub mod converge;
 pub mod metrics;
 mod plane;
 

@@ -1,0 +1,237 @@
+//! `skycube converge`: error against run time.
+
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use std::time::Duration;
+
+use clap::Args;
+
+use super::Outcome;
+use super::interrupt;
+use super::options::{
+    PictureSize, SettingOverrides, check_pixel_count, parse_duration, refuse_folder_of, refuse_to_overwrite_sources,
+};
+use super::progress_bar::RenderBar;
+use crate::error::{Error, Result};
+use crate::picture::{check_target, write_atomically};
+use crate::render::Progress;
+use crate::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
+use crate::scene::Scene;
+use crate::study::converge::{
+    Comparison, Configuration, Protocol, Schedule, Variant, Variation, Watch, Work, converge, variants,
+};
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Writes converge.csv, converge.json, converge.png, converge.svg and the folder references, where \
+                        references are kept: the next run with the same scene and settings takes them from there."
+)]
+pub struct ConvergeArguments {
+    /// The scenes, TOML files
+    #[arg(required = true, value_name = "SCENE")]
+    scenes: Vec<PathBuf>,
+    /// The folder to write to [default: converge- and the scene's name, in this folder]
+    #[arg(short, long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+    /// Measure at these samples a pixel
+    #[arg(long, visible_alias = "spp", value_name = "N,N,...", default_value = "1,4,16,64", conflicts_with = "time")]
+    samples: SampleSteps,
+    /// Measure at 1, 4, 16, ... samples until every rendering has taken so long, such as 10s, 500ms or 2m
+    #[arg(long, value_name = "TIME", value_parser = parse_duration)]
+    time: Option<Duration>,
+    /// Compare the usual values of a setting; several give all combinations
+    #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',')]
+    compare: Vec<Comparison>,
+    /// Compare values of a setting, such as strategy=bsdf,light,mis or depth=1,2,8: integrator, depth, strategy, caustics,
+    /// sampler, pixel-filter or environment-filter
+    #[arg(long, value_name = "SETTING=VALUES")]
+    vary: Vec<Variation>,
+    /// Renderings of everything, each with a seed of its own: errors are means over them, bias is told from noise by them
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=16))]
+    seeds: u32,
+    /// Samples a pixel of the reference [default: 16 times the last step; 1024 with --time]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1 << 24))]
+    reference_samples: Option<u32>,
+    /// The error that the plot shows
+    #[arg(long, value_enum, default_value = "rmse")]
+    measure: Measure,
+    /// Picture size in pixels, such as 320x240
+    #[arg(long, value_name = "WxH")]
+    size: Option<PictureSize>,
+    #[command(flatten)]
+    overrides: SettingOverrides,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Counts of samples, ascending.
+#[derive(Debug, Clone)]
+struct SampleSteps(Vec<u32>);
+
+impl FromStr for SampleSteps {
+    type Err = String;
+
+    fn from_str(text: &str) -> std::result::Result<Self, String> {
+        let step = |text: &str| text.trim().parse().ok().filter(|step| (1..=1 << 24).contains(step));
+        let steps: Option<Vec<u32>> = text.split(',').map(step).collect();
+        steps.filter(|steps| steps.windows(2).all(|pair| pair[0] < pair[1])).map(Self).ok_or_else(|| {
+            "expected ascending counts of samples, such as 1,4,16,64, each from 1 to 16777216".to_owned()
+        })
+    }
+}
+
+/// The files that are written.
+const FILES: [&str; 4] = ["converge.csv", "converge.json", "converge.png", "converge.svg"];
+
+/// Measures, writes and prints.
+pub fn run(arguments: &ConvergeArguments) -> Result<Outcome> {
+    let folder = arguments.output.clone().unwrap_or_else(|| default_folder(&arguments.scenes));
+    let mut scenes = arguments.scenes.iter().map(|file| Subject::read(arguments, file)).collect::<Result<Vec<_>>>()?;
+    refuse(&folder, &scenes)?;
+    interrupt::watch();
+    let pool = arguments.overrides.thread_pool()?;
+    make_folder(&folder)?;
+    let cache = folder.join("references");
+    let protocol = protocol(arguments, &cache);
+    let mut report = ConvergeReport { scenes: Vec::new(), stopped: false };
+    for subject in &mut scenes {
+        match pool.install(|| converge(&mut subject.scene, &subject.variants, &protocol, &Terminal)) {
+            Ok(convergence) => {
+                let size = subject.scene.camera.size();
+                report.scenes.push(ConvergedScene {
+                    name: subject.name.clone(),
+                    size,
+                    seeds: protocol.seeds,
+                    convergence,
+                });
+            }
+            // What was measured of other scenes is not lost.
+            Err(_) if interrupt::requested() && !report.scenes.is_empty() => {}
+            Err(error) => return Err(error),
+        }
+        report.stopped = interrupt::requested();
+        if report.stopped {
+            break;
+        }
+    }
+    write(&report, arguments.measure, &folder)?;
+    if arguments.json {
+        super::print(format_args!("{}\n", report.to_json()));
+    } else {
+        super::print(&report);
+        super::print(format_args!("wrote {} to {}\n", FILES.join(", "), folder.display()));
+    }
+    Ok(if report.stopped { Outcome::Interrupted } else { Outcome::Clean })
+}
+
+/// A scene and how it is rendered.
+struct Subject {
+    name: String,
+    scene: Scene,
+    variants: Vec<Variant>,
+}
+
+impl Subject {
+    fn read(arguments: &ConvergeArguments, file: &Path) -> Result<Self> {
+        let mut scene = arguments.overrides.read_scene(file)?;
+        if let Some(PictureSize(size)) = arguments.size {
+            scene.camera = scene.camera.resized(size);
+        }
+        check_pixel_count(scene.camera.size())?;
+        let base = Configuration::of_scene(&scene);
+        let compared = arguments.compare.iter().map(|comparison| comparison.variation(&base));
+        let variations: Vec<Variation> = compared.chain(arguments.vary.iter().cloned()).collect();
+        let variants = variants(&base, &variations).map_err(|error| error.in_file(file))?;
+        let name = file.file_name().unwrap_or(file.as_os_str()).to_string_lossy().into_owned();
+        Ok(Self { name, scene, variants })
+    }
+}
+
+fn protocol<'a>(arguments: &ConvergeArguments, cache: &'a Path) -> Protocol<'a> {
+    let steps = &arguments.samples.0;
+    let (schedule, samples) = match arguments.time {
+        Some(limit) => (Schedule::Time(limit), 1024),
+        None => {
+            (Schedule::Samples(steps.clone()), steps.last().map_or(16, |last| last.saturating_mul(16).min(1 << 24)))
+        }
+    };
+    Protocol {
+        schedule,
+        seeds: arguments.seeds,
+        reference_samples: arguments.reference_samples.unwrap_or(samples),
+        cache: Some(cache),
+    }
+}
+
+/// Everything that can be refused is refused before the work.
+fn refuse(folder: &Path, scenes: &[Subject]) -> Result<()> {
+    for subject in scenes {
+        refuse_folder_of(folder, &subject.scene.sources)?;
+        refuse_folder_of(&folder.join("references"), &subject.scene.sources)?;
+        for name in FILES {
+            refuse_to_overwrite_sources(&folder.join(name), &subject.scene.sources)?;
+        }
+    }
+    if folder.is_dir() {
+        FILES.iter().try_for_each(|name| check_target(&folder.join(name)))?;
+    }
+    Ok(())
+}
+
+fn make_folder(folder: &Path) -> Result<()> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))
+}
+
+/// All four are there before the first is written.
+fn write(report: &ConvergeReport, measure: Measure, folder: &Path) -> Result<()> {
+    let (csv, json) = (converge_csv(report), report.to_json() + "\n");
+    let (picture, svg) = (draw_convergence(report, measure)?, draw_convergence_svg(report, measure)?);
+    for (name, text) in [(FILES[0], csv), (FILES[1], json), (FILES[3], svg)] {
+        write_atomically(&folder.join(name), text.as_bytes())?;
+    }
+    picture.write(&folder.join(FILES[2]))
+}
+
+fn default_folder(scenes: &[PathBuf]) -> PathBuf {
+    let stems = scenes.iter().filter_map(|scene| scene.file_stem()).map(|stem| stem.to_string_lossy());
+    PathBuf::from(std::iter::once("converge".into()).chain(stems).collect::<Vec<_>>().join("-"))
+}
+
+/// Shows every phase as a bar of its own.
+struct Terminal;
+
+/// A bar that goes with its phase.
+struct PhaseBar(RenderBar);
+
+impl Watch for Terminal {
+    type Phase = PhaseBar;
+
+    fn begin(&self, what: &str, work: Work) -> PhaseBar {
+        PhaseBar(match work {
+            Work::Samples(samples) => RenderBar::new(samples, what),
+            Work::Time(limit) => RenderBar::until(limit, what),
+        })
+    }
+
+    fn cancelled(&self) -> bool {
+        interrupt::requested()
+    }
+}
+
+impl Progress for PhaseBar {
+    fn advance(&self, samples: u64, rays: u64) {
+        self.0.advance(samples, rays);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.0.cancelled()
+    }
+}
+
+impl Drop for PhaseBar {
+    fn drop(&mut self) {
+        self.0.finish();
+    }
+}

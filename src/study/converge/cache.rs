@@ -1,0 +1,61 @@
+//! References that were rendered before.
+
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+
+use super::configuration::Configuration;
+use super::reference::Reference;
+use crate::error::{Error, Result};
+use crate::picture::{self, Extras, Raster, WriteOptions};
+use crate::scene::Scene;
+
+/// The key of a reference: what its pixels depend on, as 16 hexadecimal digits. The scene's files count by their bytes,
+/// not by their names.
+pub(super) fn key(scene: &Scene, configuration: &Configuration, samples: u32) -> Result<String> {
+    let mut recipe = format!("skycube {} reference 1\n", env!("CARGO_PKG_VERSION"));
+    let [width, height] = scene.camera.size();
+    let seed = scene.sampling.seed;
+    let cutoff = scene.integrator.weight_cutoff.to_bits();
+    let _ = writeln!(recipe, "size {width} {height} samples {samples} seed {seed} cutoff {cutoff:x}");
+    for (name, value) in configuration.named() {
+        let _ = writeln!(recipe, "{name} {value}");
+    }
+    for file in &scene.sources {
+        let bytes = std::fs::read(file).map_err(|error| Error::new(format!("cannot read: {error}")).in_file(file))?;
+        let _ = writeln!(recipe, "file {} {:08x} {:016x}", bytes.len(), crc32fast::hash(&bytes), hash(&bytes));
+    }
+    Ok(format!("{:016x}", hash(recipe.as_bytes())))
+}
+
+/// FNV-1a with 64 bits (Fowler, Noll and Vo, 1991).
+fn hash(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3))
+}
+
+/// The halves under a key; `None` if they are not there whole.
+pub(super) fn read(folder: &Path, key: &str, size: [usize; 2]) -> Option<[Raster; 2]> {
+    let half = |name: &str| {
+        let raster = picture::read(&file(folder, key, name)).ok()?.to_raster();
+        ([raster.width(), raster.height()] == size).then_some(raster)
+    };
+    Some([half("-first-half")?, half("-second-half")?])
+}
+
+/// Writes the halves, and their mean for those who want to look at it.
+pub(super) fn write(folder: &Path, reference: &Reference) -> Result<()> {
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
+    let facts = &reference.facts;
+    let remark =
+        format!("{} samples a pixel, standard error {:.3e} (root mean square)", facts.samples, facts.errors.rmse);
+    let [first, second] = &reference.halves;
+    for (raster, name) in [(first, "-first-half"), (second, "-second-half"), (&reference.mean, "")] {
+        let extras = Extras { remark: name.is_empty().then_some(remark.as_str()), ..Extras::default() };
+        picture::write_with(raster, &file(folder, &facts.key, name), &WriteOptions::default(), extras)?;
+    }
+    Ok(())
+}
+
+fn file(folder: &Path, key: &str, name: &str) -> PathBuf {
+    folder.join(format!("{key}{name}.exr"))
+}

@@ -1,0 +1,73 @@
+//! What of a scene's settings may be compared.
+
+use clap::ValueEnum;
+use serde::{Serialize, Serializer};
+
+use crate::envmap::CubeFilter;
+use crate::sampling::{PixelFilter, SamplerKind};
+use crate::scene::{Caustics, IntegratorKind, Scene, Strategy};
+
+/// One way to render a scene.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+pub struct Configuration {
+    pub integrator: IntegratorKind,
+    /// Reflections and refractions followed at most.
+    pub depth: u32,
+    pub strategy: Strategy,
+    pub caustics: Caustics,
+    pub sampler: SamplerKind,
+    pub pixel_filter: PixelFilter,
+    /// How the environment is read between texels; `None` if it is no cube map.
+    #[serde(serialize_with = "none_as_word")]
+    pub environment_filter: Option<CubeFilter>,
+}
+
+impl Configuration {
+    /// What the scene says.
+    pub fn of_scene(scene: &Scene) -> Self {
+        Self {
+            integrator: scene.integrator.kind,
+            depth: scene.integrator.depth,
+            strategy: scene.integrator.strategy,
+            caustics: scene.integrator.caustics,
+            sampler: scene.sampling.sampler,
+            pixel_filter: scene.sampling.filter,
+            environment_filter: scene.environment.cube_map().map(|map| map.filter()),
+        }
+    }
+
+    /// Has the scene rendered this way.
+    pub fn apply(&self, scene: &mut Scene) {
+        scene.integrator.kind = self.integrator;
+        scene.integrator.depth = self.depth;
+        scene.integrator.strategy = self.strategy;
+        scene.integrator.caustics = self.caustics;
+        scene.sampling.sampler = self.sampler;
+        scene.sampling.filter = self.pixel_filter;
+        if let (Some(map), Some(filter)) = (scene.environment.cube_map_mut(), self.environment_filter) {
+            map.set_filter(filter);
+        }
+    }
+
+    /// The values under their names, in the order of the fields.
+    pub fn named(&self) -> [(&'static str, String); 7] {
+        [
+            ("integrator", name(self.integrator)),
+            ("depth", self.depth.to_string()),
+            ("strategy", name(self.strategy)),
+            ("caustics", name(self.caustics)),
+            ("sampler", name(self.sampler)),
+            ("pixel_filter", name(self.pixel_filter)),
+            ("environment_filter", self.environment_filter.map_or_else(|| "none".to_owned(), name)),
+        ]
+    }
+}
+
+/// The name of a value on the command line.
+pub(super) fn name(value: impl ValueEnum) -> String {
+    value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
+}
+
+fn none_as_word<S: Serializer>(filter: &Option<CubeFilter>, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_str(&filter.map_or_else(|| "none".to_owned(), name))
+}
