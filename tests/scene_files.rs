@@ -72,6 +72,14 @@ fn wrong_values_say_what_was_expected() {
     scene.toml:6: materials.ball.index: found "high"
       expected: an index of refraction, from 0.1 to 100
     "#);
+    insta::assert_snapshot!(error("[integrator]\nmistake = \"gamma\"\n"), @r#"
+    scene.toml:5: integrator.mistake: found "gamma"
+      expected: one of shadow-acne
+    "#);
+    insta::assert_snapshot!(error("[output]\nencode = \"rec709\"\n"), @r#"
+    scene.toml:5: output.encode: found "rec709"
+      expected: one of srgb, linear
+    "#);
     insta::assert_snapshot!(error("[materials.ball]\nkind = \"lambert\"\ncolour = [0.5, 2, 0]\n"), @r"
     scene.toml:6: materials.ball.colour: a surface cannot reflect more light than arrives
       expected: channels from 0 to 1
