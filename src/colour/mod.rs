@@ -4,7 +4,7 @@ mod srgb;
 mod tone_map;
 
 pub use srgb::{SRGB8_TO_LINEAR, decode_srgb8, decode_srgb16, encode_srgb};
-pub use tone_map::ToneMap;
+pub use tone_map::{Encoding, ToneMap};
 
 use crate::math::Vec3;
 

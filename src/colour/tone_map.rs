@@ -17,10 +17,48 @@ pub enum ToneMap {
 impl ToneMap {
     /// The sRGB-encoded display colour, each channel in `[0, 1]`, of a linear colour.
     pub fn display(self, colour: Vec3) -> Vec3 {
+        self.display_as(colour, Encoding::Srgb)
+    }
+
+    /// The display colour under an encoding, each channel in `[0, 1]`.
+    pub fn display_as(self, colour: Vec3, encoding: Encoding) -> Vec3 {
         let mapped = match self {
             ToneMap::Clamp => colour,
             ToneMap::Reinhard => colour / (1.0 + luminance(colour).max(0.0)),
         };
-        Vec3::new(encode_srgb(mapped.x), encode_srgb(mapped.y), encode_srgb(mapped.z))
+        Vec3::from_array(mapped.to_array().map(|channel| encoding.code(channel)))
+    }
+}
+
+/// How 8- and 16-bit files say how much light a number stands for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Encoding {
+    /// As displays expect it.
+    #[default]
+    Srgb,
+    /// The linear light itself: a mistake, made on purpose by a lesson. Displays show it too dark.
+    Linear,
+}
+
+impl Encoding {
+    /// The code in `[0, 1]` of a linear channel; values outside `[0, 1]` are clamped, NaN gives 0.
+    fn code(self, linear: f32) -> f32 {
+        match self {
+            Encoding::Srgb => encode_srgb(linear),
+            Encoding::Linear if linear > 0.0 => linear.min(1.0),
+            Encoding::Linear => 0.0,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn without_encoding_the_number_is_the_light_in_range() {
+        let colour = Vec3::new(0.25, 1.5, f32::NAN);
+        assert_eq!(ToneMap::Clamp.display_as(colour, Encoding::Linear), Vec3::new(0.25, 1.0, 0.0));
+        assert_eq!(ToneMap::Reinhard.display_as(Vec3::ONE, Encoding::Linear), Vec3::splat(0.5));
     }
 }

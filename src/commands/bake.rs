@@ -49,7 +49,7 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let plan = Plan::new(&scene);
     let lookup = read_lookup(&arguments.lookup)?;
     let position = arguments.position.unwrap_or(scene.camera.position());
-    let options = arguments.picture.write_options(scene.output.tone_map);
+    let options = arguments.picture.write_options(scene.output);
     let targets = Face::ALL.map(|image| arguments.output.join(format!("{}.{}", image.name(), arguments.format)));
     refuse_shared_images(&lookup)?;
     refuse_folder_of(&arguments.output, &scene.sources)?;

@@ -12,7 +12,7 @@ use crate::envmap::{Lookup, Preset};
 use crate::error::{Error, Result};
 use crate::picture::{PngDepth, WriteOptions};
 use crate::sampling::{PixelFilter, SamplerKind};
-use crate::scene::{Caustics, IntegratorKind, Scene, Strategy};
+use crate::scene::{Caustics, IntegratorKind, OutputSettings, Scene, Strategy};
 
 /// What the command line may say instead of the scene file.
 #[derive(Debug, Args)]
@@ -108,10 +108,11 @@ pub struct PictureOptions {
 }
 
 impl PictureOptions {
-    /// The options of the writer; `tone_map` is what holds where the command line is silent.
-    pub fn write_options(&self, tone_map: ToneMap) -> WriteOptions {
+    /// The options of the writer; the scene's settings hold where the command line is silent.
+    pub fn write_options(&self, scene: OutputSettings) -> WriteOptions {
         WriteOptions {
-            tone_map: self.tone_map.unwrap_or(tone_map),
+            tone_map: self.tone_map.unwrap_or(scene.tone_map),
+            encoding: scene.encoding,
             png_depth: if self.bits == "16" { PngDepth::Sixteen } else { PngDepth::Eight },
             jpeg_quality: self.quality,
         }

@@ -92,7 +92,7 @@ fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<
 }
 
 fn write(arguments: &RenderArguments, scene: &Scene, rendering: &Rendering, output: &Path) -> Result<()> {
-    let options = arguments.picture.write_options(scene.output.tone_map);
+    let options = arguments.picture.write_options(scene.output);
     let remark = format!("stopped after {} samples a pixel of {}", rendering.samples, scene.samples);
     let layers = rendering.layers.as_ref().map(Layers::named);
     let extras = Extras {

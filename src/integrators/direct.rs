@@ -8,7 +8,7 @@ use crate::lights::Light;
 use crate::materials::fresnel::reflect;
 use crate::materials::{Material, phong_lobe};
 use crate::math::{DVec2, DVec3, Departure, Ray, Side, Vec3};
-use crate::scene::{Plan, Scene};
+use crate::scene::{Mistake, Plan, Scene};
 use crate::shapes::Surface;
 
 /// A surface as the ray sees it: the normals turned to the ray's side.
@@ -33,6 +33,18 @@ impl View {
         // An interpolated normal may look away from the ray at a silhouette: there the true one serves.
         let visible = shading_normal.dot(direction) < 0.0;
         Self { side, normal, shading_normal: if visible { shading_normal } else { normal } }
+    }
+}
+
+/// The ray from a surface towards a light; for lessons, with the mistake they ask for.
+#[inline]
+fn shadow_ray(mistake: Option<Mistake>, surface: &Surface, side: Side, to_light: DVec3) -> Ray {
+    match mistake {
+        Some(Mistake::ShadowAcne) => Ray::new(surface.position.as_vec3().as_dvec3(), to_light),
+        None => {
+            let departure = Departure { surface: surface.id, side };
+            Ray { origin: surface.position, direction: to_light, departure: Some(departure) }
+        }
     }
 }
 
@@ -81,9 +93,8 @@ pub(super) fn local_radiance(
         if cosine <= 0.0 || view.normal.dot(arriving.to_light) <= 0.0 {
             continue;
         }
-        let departure = Departure { surface: surface.id, side: view.side };
-        let to_light = Ray { origin: surface.position, direction: arriving.to_light, departure: Some(departure) };
         if plan.shadow_rays {
+            let to_light = shadow_ray(scene.integrator.mistake, surface, view.side, arriving.to_light);
             counts.shadow += 1;
             if scene.shapes.occluded(&to_light, arriving.distance) {
                 continue;

@@ -8,7 +8,7 @@ use image::{ExtendedColorType, ImageError};
 
 use super::remark::with_remark;
 use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, openexr, write_atomically};
-use crate::colour::ToneMap;
+use crate::colour::{Encoding, ToneMap};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
 
@@ -16,6 +16,7 @@ use crate::math::Vec3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WriteOptions {
     pub tone_map: ToneMap,
+    pub encoding: Encoding,
     pub png_depth: PngDepth,
     /// From 1 (small) to 100 (good).
     pub jpeg_quality: u8,
@@ -23,7 +24,12 @@ pub struct WriteOptions {
 
 impl Default for WriteOptions {
     fn default() -> Self {
-        Self { tone_map: ToneMap::default(), png_depth: PngDepth::default(), jpeg_quality: 92 }
+        Self {
+            tone_map: ToneMap::default(),
+            encoding: Encoding::default(),
+            png_depth: PngDepth::default(),
+            jpeg_quality: 92,
+        }
     }
 }
 
@@ -78,7 +84,7 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
     match (format, options.png_depth) {
         (OutputFormat::Png, PngDepth::Eight) => encode_png(width, height, Samples::Rgb8(&bytes(raster, options))),
         (OutputFormat::Png, PngDepth::Sixteen) => {
-            let numbers = quantised(raster, options.tone_map, 65535.0, |value| value as u16);
+            let numbers = quantised(raster, options, 65535.0, |value| value as u16);
             encode_png(width, height, Samples::Rgb16(&numbers))
         }
         (OutputFormat::Jpeg, _) => encode_jpeg(raster, options),
@@ -88,13 +94,13 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
 }
 
 /// The display colours as whole numbers from 0 to `largest`, rounded to nearest.
-fn quantised<T>(raster: &Raster, tone_map: ToneMap, largest: f32, number: impl Fn(f32) -> T) -> Vec<T> {
-    let display = |&colour: &Vec3| tone_map.display(colour).to_array();
+fn quantised<T>(raster: &Raster, options: &WriteOptions, largest: f32, number: impl Fn(f32) -> T) -> Vec<T> {
+    let display = |&colour: &Vec3| options.tone_map.display_as(colour, options.encoding).to_array();
     raster.pixels().iter().flat_map(display).map(|value| number((value * largest).round())).collect()
 }
 
 fn bytes(raster: &Raster, options: &WriteOptions) -> Vec<u8> {
-    quantised(raster, options.tone_map, 255.0, |value| value as u8)
+    quantised(raster, options, 255.0, |value| value as u8)
 }
 
 fn encode_jpeg(raster: &Raster, options: &WriteOptions) -> Result<Vec<u8>> {

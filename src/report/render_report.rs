@@ -7,10 +7,11 @@ use std::time::Duration;
 use serde::Serialize;
 
 use super::grouped::grouped;
+use crate::colour::Encoding;
 use crate::envmap::Face;
 use crate::integrators::RayCounts;
 use crate::render::Rendering;
-use crate::scene::{Plan, Scene};
+use crate::scene::{Mistake, Plan, Scene};
 
 /// The report of `skycube render`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -30,6 +31,8 @@ pub struct RenderReport {
     pub rays_per_second: f64,
     /// Images of the environment that were decoded.
     pub decoded: Vec<&'static str>,
+    /// Mistakes that the scene asks for, one sentence each.
+    pub wrong_on_purpose: Vec<&'static str>,
     pub left_out: Vec<String>,
 }
 
@@ -65,6 +68,7 @@ impl RenderReport {
             rays,
             rays_per_second: rays.traced() as f64 / seconds.rendering.max(1e-9),
             decoded,
+            wrong_on_purpose: wrong_on_purpose(scene),
             left_out,
         }
     }
@@ -112,12 +116,26 @@ impl fmt::Display for RenderReport {
         if !self.decoded.is_empty() {
             writeln!(formatter, "map   decoded {}", self.decoded.join(", "))?;
         }
+        for mistake in &self.wrong_on_purpose {
+            writeln!(formatter, "wrong on purpose: {mistake}")?;
+        }
         writeln!(formatter, "left out")?;
         for item in &self.left_out {
             writeln!(formatter, "  - {item}")?;
         }
         Ok(())
     }
+}
+
+/// The mistakes that the scene asks for.
+fn wrong_on_purpose(scene: &Scene) -> Vec<&'static str> {
+    let acne = scene.integrator.mistake == Some(Mistake::ShadowAcne);
+    let linear = scene.output.encoding == Encoding::Linear;
+    let mistakes = [
+        (acne, "shadow rays of local light forget the surface they leave (mistake = \"shadow-acne\")"),
+        (linear, "8- and 16-bit files are written without sRGB encoding (encode = \"linear\")"),
+    ];
+    mistakes.into_iter().filter(|(made, _)| *made).map(|(_, sentence)| sentence).collect()
 }
 
 /// The images that were decoded, and a sentence about those that were not.

@@ -11,9 +11,9 @@ const NONE: u32 = u32::MAX;
 #[derive(Debug)]
 pub struct Aggregate {
     primitives: Vec<Primitive>,
-    /// Round spheres of a handful, tried four at once.
+    /// Round spheres outside of a hierarchy, tried four at once.
     balls: Vec<Balls>,
-    /// Shapes tried one by one: the others of a handful, otherwise those without end.
+    /// Shapes tried one by one: without a hierarchy all others, otherwise those without end.
     listed: Vec<u32>,
     hierarchy: Option<BoxedShapes>,
 }
@@ -37,7 +37,7 @@ impl Aggregate {
         let bounds: Vec<_> = primitives.iter().map(Primitive::bounds).collect();
         let bounded: Vec<u32> = numbers().filter(|&shape| bounds[shape as usize].is_some()).collect();
         if bounded.len() <= Self::HANDFUL {
-            return Self::handful(primitives);
+            return Self::without_hierarchy(primitives);
         }
         let boxes: Vec<FloatBox> = bounded
             .iter()
@@ -49,8 +49,8 @@ impl Aggregate {
         Self { primitives, balls: Vec::new(), listed, hierarchy }
     }
 
-    /// Tries all shapes, those of one kind together.
-    fn handful(primitives: Vec<Primitive>) -> Self {
+    /// Tries all shapes one after the other, round spheres four at once.
+    pub fn without_hierarchy(primitives: Vec<Primitive>) -> Self {
         let numbers = 0..primitives.len() as u32;
         let ball = |shape: u32| primitives[shape as usize].as_ball().map(|(centre, radius)| (shape, centre, radius));
         let balls = Balls::pack(&numbers.clone().filter_map(ball).collect::<Vec<_>>());

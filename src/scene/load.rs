@@ -103,7 +103,8 @@ impl Scene {
 
         let lights = tables(&mut root, "lights")?.into_iter().map(light::read).collect::<Result<_>>()?;
         root.finish()?;
-        let shapes = Aggregate::new(primitives);
+        let shapes =
+            if integrator.hierarchy { Aggregate::new(primitives) } else { Aggregate::without_hierarchy(primitives) };
         let environment = surroundings.environment;
         Ok(Self { camera, samples, sampling, integrator, output, environment, materials, lights, shapes, sources })
     }

@@ -129,10 +129,12 @@ impl Plan {
         item(self.reflection && !self.roulette, "weight cut-off 0: no random cuts");
         let count = scene.shapes.primitives().len();
         let unit = if count == 1 { "shape" } else { "shapes" };
-        item(
-            !self.hierarchy,
-            &format!("{count} {unit} (at most {} with bounds): no hierarchy over them", Aggregate::HANDFUL),
-        );
+        let reason = if scene.integrator.hierarchy {
+            format!("{count} {unit} (at most {} with bounds)", Aggregate::HANDFUL)
+        } else {
+            format!("hierarchy off, {count} {unit}")
+        };
+        item(!self.hierarchy, &format!("{reason}: no hierarchy over them"));
         items
     }
 }

@@ -1,7 +1,7 @@
 //! The tables `[integrator]` and `[output]`.
 
 use super::document::Table;
-use crate::colour::ToneMap;
+use crate::colour::{Encoding, ToneMap};
 use crate::error::Result;
 
 /// How light is followed.
@@ -17,6 +17,18 @@ pub struct IntegratorSettings {
     pub strategy: Strategy,
     /// Whether the path tracer sends light ahead to learn where glass and mirrors focus it.
     pub caustics: Caustics,
+    /// A hierarchy is built over more than a handful of shapes.
+    pub hierarchy: bool,
+    /// A mistake made on purpose, for lessons.
+    pub mistake: Option<Mistake>,
+}
+
+/// Mistakes that a lesson can ask for, to show how they look.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Mistake {
+    /// Shadow rays forget the surface they leave, and start where single precision puts them: a little above or below
+    /// it. From below they meet it again.
+    ShadowAcne,
 }
 
 /// How the path tracer finds light sources from a surface.
@@ -65,6 +77,8 @@ pub enum IntegratorKind {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct OutputSettings {
     pub tone_map: ToneMap,
+    /// `Linear` is a mistake made on purpose, for lessons.
+    pub encoding: Encoding,
 }
 
 impl Default for IntegratorSettings {
@@ -75,6 +89,8 @@ impl Default for IntegratorSettings {
             weight_cutoff: 1.0 / 1024.0,
             strategy: Strategy::default(),
             caustics: Caustics::default(),
+            hierarchy: true,
+            mistake: None,
         }
     }
 }
@@ -131,6 +147,12 @@ impl IntegratorSettings {
         if let Some(caustics) = table.optional("caustics") {
             settings.caustics = caustics.choice(&[("auto", Caustics::Auto), ("off", Caustics::Off)])?;
         }
+        if let Some(hierarchy) = table.optional("hierarchy") {
+            settings.hierarchy = hierarchy.choice(&[("auto", true), ("off", false)])?;
+        }
+        if let Some(mistake) = table.optional("mistake") {
+            settings.mistake = Some(mistake.choice(&[("shadow-acne", Mistake::ShadowAcne)])?);
+        }
         table.finish()?;
         Ok(settings)
     }
@@ -142,6 +164,9 @@ impl OutputSettings {
         let Some(mut table) = table else { return Ok(settings) };
         if let Some(tone_map) = table.optional("tone_map") {
             settings.tone_map = tone_map.choice(&[("clamp", ToneMap::Clamp), ("reinhard", ToneMap::Reinhard)])?;
+        }
+        if let Some(encode) = table.optional("encode") {
+            settings.encoding = encode.choice(&[("srgb", Encoding::Srgb), ("linear", Encoding::Linear)])?;
         }
         table.finish()?;
         Ok(settings)

@@ -47,7 +47,9 @@ fn scenes(criterion: &mut Criterion) {
         group.bench_function(name, |bencher| bencher.iter(|| render(&scene, &plan, &Silent)));
     };
     let lesson = Path::new(env!("CARGO_MANIFEST_DIR")).join("lessons/06-environment-map/environment-with.toml");
-    bench("lesson 06, 640 x 400, 4 samples", Scene::read(&lesson).expect("the lesson is a scene"));
+    let mut lesson = Scene::read(&lesson).expect("the lesson is a scene");
+    lesson.camera = lesson.camera.resized([640, 400]);
+    bench("lesson 06, 640 x 400, 4 samples", lesson);
     let scene = |text: &str| Scene::from_text(text, Path::new("benchmark.toml")).expect("the scene is right");
     bench("three spheres, 640 x 480", scene(SPHERES));
     for count in [2, 4, 6, 7, 8, 12, 16, 32] {
