@@ -35,27 +35,34 @@ pub struct Boundary {
 ///
 /// `cos_incident` in `[0, 1]`, `relative_index` is n_1 / n_2: the side the light comes from over the other.
 /// (Born and Wolf, Principles of Optics, section 1.5.2; Pharr, Jakob, Humphreys: Physically Based Rendering, 4th ed., 9.3.5.)
+///
+/// With r = n_1 / n_2 and `a = r cos_i`, `b = cos_t`, the amplitude (a - b) / (a + b) loses all digits for indices near 1.
+/// It is taken as `(a^2 - b^2) / (a + b)^2`, whose numerator has the factor 1 - r in closed form for both polarisations:
+///
+/// ```text
+///   cos_t^2 = cos_i^2 r^2 + (1 - r)(1 + r)
+///   perpendicular  (r cos_i)^2 - cos_t^2 = -(1 - r)(1 + r)
+///   parallel       (r cos_t)^2 - cos_i^2 =  (1 - r)(1 + r) (r^2 - cos_i^2 (1 + r^2))
+/// ```
+///
+/// (Higham: Accuracy and Stability of Numerical Algorithms, section 1.8, on quadratics: the same rearrangement.)
 #[inline]
 pub fn boundary(cos_incident: f64, relative_index: f64) -> Boundary {
     let cos_incident = cos_incident.clamp(0.0, 1.0);
-    // 1 - sin_t^2, arranged so that it does not cancel for indices near 1: with r = n_1/n_2,
-    // cos_t^2 = cos_i^2 r^2 + (1 - r)(1 + r).
     let r = relative_index;
     if r == 1.0 {
         return Boundary { reflectance: 0.0, cos_transmitted: Some(cos_incident) };
     }
-    let cos_squared = cos_incident * cos_incident * r * r + (1.0 - r) * (1.0 + r);
+    let (contrast, square, r_square) = ((1.0 - r) * (1.0 + r), cos_incident * cos_incident, r * r);
+    let cos_squared = square * r_square + contrast;
     if cos_squared <= 0.0 || cos_squared.is_nan() {
         return Boundary { reflectance: 1.0, cos_transmitted: None };
     }
     let cos_transmitted = cos_squared.sqrt();
-    let ratio = |one: f64, other: f64| {
-        let amplitude = (one - other) / (one + other);
-        amplitude * amplitude
-    };
-    let perpendicular = ratio(r * cos_incident, cos_transmitted);
-    let parallel = ratio(r * cos_transmitted, cos_incident);
-    let reflectance = 0.5 * (perpendicular + parallel);
+    let amplitude = |difference: f64, sum: f64| difference / (sum * sum);
+    let perpendicular = amplitude(contrast, r * cos_incident + cos_transmitted);
+    let parallel = amplitude(contrast * (r_square - square * (1.0 + r_square)), r * cos_transmitted + cos_incident);
+    let reflectance = (0.5 * (perpendicular * perpendicular + parallel * parallel)).min(1.0);
     Boundary { reflectance, cos_transmitted: Some(cos_transmitted) }
 }
 

@@ -18,6 +18,7 @@ mod probe_report;
 mod render_report;
 mod seam_mark;
 mod shots_report;
+mod stress_report;
 mod text_drawing;
 
 pub use check_report::{CheckReport, failed_check_json};
@@ -33,6 +34,7 @@ pub use probe_report::ProbeReport;
 pub use render_report::RenderReport;
 pub use seam_mark::SeamMark;
 pub use shots_report::ShotsReport;
+pub use stress_report::StressReport;
 pub use text_drawing::{Anchor, draw_text, text_path, text_width};
 
 #[cfg(test)]
