@@ -1,11 +1,14 @@
 //! `skycube stress`: the program's own kernels on extreme inputs.
 
+use std::path::{Path, PathBuf};
+
 use clap::Args;
 
 use super::Outcome;
 use super::progress_bar::RenderBar;
 use crate::error::{Error, Result};
-use crate::report::StressReport;
+use crate::picture::{check_target, write_atomically};
+use crate::report::{StressPlot, StressReport};
 use crate::study::stress::{Case, Effort, Subject, Verdict, subjects};
 
 #[derive(Debug, Args)]
@@ -17,6 +20,9 @@ pub struct StressArguments {
     /// Rays spent on self-intersection; the other cases take their share of it
     #[arg(long, value_name = "N", default_value_t = Effort::FULL.rays as u64, value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
     rays: u64,
+    /// Draw error against magnitude, a curve a case: .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -26,6 +32,10 @@ pub struct StressArguments {
 pub fn run(arguments: &StressArguments) -> Result<Outcome> {
     let effort = Effort { rays: arguments.rays as usize };
     let chosen = chosen(arguments.case.as_deref())?;
+    if let Some(file) = &arguments.plot {
+        is_svg(file)?;
+        check_target(file)?;
+    }
     let bar = RenderBar::new(chosen.len() as u64, "measuring");
     let measured = |subject: Subject| {
         let case = subject.measured(effort);
@@ -36,6 +46,9 @@ pub fn run(arguments: &StressArguments) -> Result<Outcome> {
     bar.finish();
     let report = StressReport { cases: &cases, effort, steps: arguments.case.is_some() };
     super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    if let Some(file) = &arguments.plot {
+        draw(&cases, file)?;
+    }
     let fails = cases.iter().any(|case| case.verdict() == Verdict::Fails);
     Ok(if fails { Outcome::Faults } else { Outcome::Clean })
 }
@@ -50,4 +63,21 @@ fn chosen(name: Option<&str>) -> Result<Vec<Subject>> {
         return Err(Error::new(format!("there is no case \"{name}\"")).expected(format!("one of {}", names.join(", "))));
     }
     Ok(chosen)
+}
+
+/// Whether a file is to hold an SVG; the other choice is PNG.
+fn is_svg(file: &Path) -> Result<bool> {
+    let extension = file.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    match extension.as_deref() {
+        Some("svg") => Ok(true),
+        Some("png") => Ok(false),
+        _ => Err(Error::new("the name does not tell how the chart is to be written")
+            .in_file(file)
+            .expected("the extension .svg or .png")),
+    }
+}
+
+fn draw(cases: &[Case], file: &Path) -> Result<()> {
+    let plot = StressPlot::new(cases);
+    if is_svg(file)? { write_atomically(file, plot.to_svg().as_bytes()) } else { plot.to_drawing().write(file) }
 }

@@ -28,6 +28,8 @@ mod wide_vector;
 pub use case::{Case, Group, Measurement, Subject, Verdict};
 pub use effort::Effort;
 pub use limits::{LIMITS, Limit, Range};
+pub use placed::{ball, hit_error, placed};
+pub use reference::ulp_f32;
 pub use scene_limits::outside_limits;
 
 /// All that can be swept, in the order of the report.

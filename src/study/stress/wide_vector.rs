@@ -20,11 +20,6 @@ impl WideVector {
         Self([b * f - c * e, c * d - a * f, a * e - b * d])
     }
 
-    /// The nearest vector of `f64`.
-    pub fn value(self) -> DVec3 {
-        self.0.map(Wide::value).into()
-    }
-
     pub fn length(self) -> Wide {
         self.dot(self).sqrt()
     }
