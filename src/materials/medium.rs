@@ -34,10 +34,23 @@ impl MediumStack {
         self.media[..usize::from(self.depth)].iter().any(|entered| entered.shape == shape)
     }
 
-    /// The stack after entering a glass.
+    /// True if the ray is inside of several glasses at once.
+    #[inline]
+    pub fn is_nested(&self) -> bool {
+        self.depth > 1
+    }
+
+    /// The glasses for which `keep` says so of their shape.
+    pub fn retaining(&self, keep: impl Fn(u32) -> bool) -> Self {
+        let entered = self.media[..usize::from(self.depth)].iter();
+        entered.filter(|medium| keep(medium.shape)).fold(Self::default(), |media, &medium| media.entering(medium))
+    }
+
+    /// The stack after entering a glass. One that the ray is inside of already stays where it is: its surface was met
+    /// twice, as happens where it coincides with another.
     #[inline]
     pub fn entering(mut self, medium: Medium) -> Self {
-        if usize::from(self.depth) < Self::CAPACITY {
+        if usize::from(self.depth) < Self::CAPACITY && !self.contains(medium.shape) {
             self.media[usize::from(self.depth)] = medium;
             self.depth += 1;
         }
@@ -97,5 +110,8 @@ mod tests {
         assert_eq!(stack.leaving(7).innermost(), Some(glass(3)));
         assert_eq!(MediumStack::default().leaving(1).innermost(), None);
         assert_eq!(stack.leaving(1).leaving(2).leaving(3).innermost(), None);
+        assert_eq!(stack.entering(glass(2)), stack);
+        assert_eq!(stack.retaining(|shape| shape != 2), stack.leaving(2));
+        assert!(stack.is_nested() && !stack.leaving(1).leaving(3).is_nested());
     }
 }

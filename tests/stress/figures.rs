@@ -50,7 +50,8 @@ fn every_limit_is_measured_from_end_to_end() {
         // A limit from zero has no end below.
         let least = if limit.range.least == 0.0 { promised.least } else { limit.range.least };
         assert!(promised.least <= least && promised.most >= limit.range.most, "{}", limit.figure);
-        let measured = |magnitude: f64| case.measurements.iter().any(|step| (step.magnitude / magnitude - 1.0).abs() < 1e-9);
+        let measured =
+            |magnitude: f64| case.measurements.iter().any(|step| (step.magnitude / magnitude - 1.0).abs() < 1e-9);
         assert!(measured(least) && measured(limit.range.most), "{}: an end is not measured", limit.figure);
     }
 }

@@ -159,7 +159,7 @@ fn bad_texels(effort: Effort) -> Vec<Measurement> {
             let angle = crate::math::functions::sin_cos_turns(random.unit());
             let away = (texels + 0.01) / angle.0.abs().max(angle.1.abs());
             let place = |offset: f64| ((0.5 + offset * away) / 128.0) as f32;
-            let direction = towards(&lookup, Face::PosX, place(angle.0), -place(angle.1));
+            let direction = towards(&lookup, Face::PosX, place(angle.0), place(angle.1));
             let map = random.below(3);
             (!maps[map].sample(direction).is_finite()).then_some(map)
         });

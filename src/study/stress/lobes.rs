@@ -11,7 +11,7 @@ use super::limits::{ROUGHNESS, Range};
 use super::random::Random;
 use crate::materials::{Coat, ColourSource, Material, Metal, MetalReflectance, RoughGlass, Scattering};
 use crate::math::functions::sin_cos_turns;
-use crate::math::{DVec2, DVec3, Frame, Vec3};
+use crate::math::{DVec2, DVec3, Vec3};
 
 pub(super) const SUBJECTS: &[Subject] = &[
     Subject {
@@ -76,22 +76,29 @@ fn roughnesses() -> impl Iterator<Item = f64> {
     (-6..=0).flat_map(|exponent| [power_of_ten(exponent), 3.0 * power_of_ten(exponent)]).filter(|&alpha| alpha <= 1.0)
 }
 
-/// The integral of the density over the upper half: about the mirror direction, whose polar angle t is spread by
-/// `tan(t / 2) = c sqrt(p / (1 - p))`, the distribution of microfacets of roughness c; then `d omega = 2 c^2 / ((1 - p) + c^2 p)^2 dp d phi`.
+/// The integral of the density over the upper half, over half vectors h: `d omega = 4 (view . h) d omega_h`. Their angle t
+/// to the normal is spread by `tan t = c sqrt(p / (1 - p))`, the distribution of microfacets of roughness c (Walter et al.,
+/// Microfacet Models for Refraction through Rough Surfaces, 2007, equation 35); with x = tan t
+///
+/// ```text
+///   d omega_h = x / (1 + x^2)^(3/2) dx d phi = c^2 / 2 / ((1 - p)^2 (1 + x^2)^(3/2)) dp d phi
+/// ```
 fn integral(scattering: &Scattering, view: DVec3, spread: f64) -> f64 {
-    const RINGS: usize = 192;
+    const RINGS: usize = 256;
     const STEPS: usize = 96;
-    let frame = Frame::around(DVec3::new(-view.x, -view.y, view.z));
     let ring = |ring: usize| {
         let place = (ring as f64 + 0.5) / RINGS as f64;
-        let square = spread * spread * place / (1.0 - place);
-        let (cosine, sine) = ((1.0 - square) / (1.0 + square), 2.0 * square.sqrt() / (1.0 + square));
-        let width = (1.0 - place) + spread * spread * place;
-        let solid_angle = 2.0 * spread * spread / (width * width);
+        let rest = 1.0 - place;
+        let square = spread * spread * place / rest;
+        let cosine = 1.0 / (1.0 + square).sqrt();
+        let sine = square.sqrt() * cosine;
+        let solid_angle = 0.5 * spread * spread / (rest * rest) * cosine * cosine * cosine;
         let values = (0..STEPS).map(|step| {
             let (up, right) = sin_cos_turns((step as f64 + 0.5) / STEPS as f64);
-            let light = frame.to_world(DVec3::new(sine * right, sine * up, cosine));
-            if light.z > 0.0 { scattering.evaluate(view, light).density } else { 0.0 }
+            let half_vector = DVec3::new(sine * right, sine * up, cosine);
+            let light = half_vector * (2.0 * view.dot(half_vector)) - view;
+            let seen = view.dot(half_vector) > 0.0 && light.z > 0.0;
+            if seen { scattering.evaluate(view, light).density * 4.0 * view.dot(half_vector) } else { 0.0 }
         });
         values.sum::<f64>() * solid_angle
     };
@@ -112,7 +119,7 @@ fn mean_of_samples(scattering: &Scattering, view: DVec3, side: usize, value: imp
 
 /// Strata along each side for a share of the rays, from 32 to 192.
 fn strata(effort: Effort, share: f64) -> usize {
-    ((effort.share(share) as f64).sqrt() as usize).clamp(32, 192)
+    ((effort.share(share) as f64).sqrt() as usize).clamp(64, 192)
 }
 
 /// The worst over materials and views at each roughness.

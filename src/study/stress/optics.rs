@@ -8,8 +8,8 @@ use super::reference::ulp_f32;
 use super::wide::Wide;
 use crate::materials::beer_lambert;
 use crate::materials::fresnel::{boundary, refract};
-use crate::math::DVec3;
 use crate::math::functions::exponential_f64;
+use crate::math::{DVec3, Frame};
 
 const ENERGY: &str = "|reflection + transmission - 1|, the transmission computed apart, in f32 ulp of 1";
 
@@ -171,23 +171,22 @@ fn fresnel_faint(effort: Effort) -> Vec<Measurement> {
     decades(-14, 0).map(of_difference).collect()
 }
 
+/// Rays that pass, drawn by the sine of the refracted one, in a frame that is no axis.
 fn snell(effort: Effort) -> Vec<Measurement> {
-    let error = |cosine: f64, index: f64| {
-        let sine = ((1.0 - cosine) * (1.0 + cosine)).sqrt();
-        let direction = DVec3::new(sine, 0.0, -cosine);
-        let Some(cos_transmitted) = boundary(cosine, index).cos_transmitted else { return 0.0 };
-        let refracted = refract(direction, DVec3::Z, index, cos_transmitted);
-        let wrong_side = if refracted.z > 0.0 { f64::INFINITY } else { 0.0 };
-        let lengths = (refracted.length() - 1.0).abs().max((refracted.x - index * sine).abs()).max(refracted.y.abs());
-        lengths.max(wrong_side) / ulp_f32(1.0)
-    };
     let of_index = |index: f64| {
-        // Cosines for which light passes.
-        let critical = (1.0 - 1.0 / (index * index)).max(0.0).sqrt();
-        let draw = |random: &mut Random| (critical + (1.0 - critical) * any_cosine(random), index);
-        worst_angle(effort, index, draw, error)
+        let (error, sine) = worst_of(effort.share(5e-4), index.to_bits(), |random| {
+            let sine = any_cosine(random) / index.max(1.0);
+            let cosine = ((1.0 - sine) * (1.0 + sine)).sqrt();
+            let frame = Frame::around(random.direction());
+            let refracted =
+                frame.to_local(refract(frame.to_world(DVec3::new(sine, 0.0, -cosine)), frame.normal, index));
+            let wrong_side = if refracted.z > 1e-15 { f64::INFINITY } else { 0.0 };
+            let errors = [refracted.length() - 1.0, refracted.x - index * sine, refracted.y, wrong_side];
+            (errors.into_iter().fold(0.0, |worst: f64, error| worst.max(error.abs())) / ulp_f32(1.0), sine)
+        });
+        Measurement::new(index, error, format!("sin {sine:.1e}, n1/n2 {index:.0e}"))
     };
-    decades(-9, 9).map(of_index).collect()
+    decades(-9, 12).map(of_index).collect()
 }
 
 /// Coefficients and distances whose product is what is swept; also products that overflow `f32`.

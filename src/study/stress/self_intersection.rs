@@ -17,7 +17,7 @@ use super::limits::REMOTENESS;
 use super::octasphere::octasphere;
 use super::placed::{ball, placed};
 use super::random::Random;
-use crate::materials::fresnel::{boundary, reflect, refract};
+use crate::materials::fresnel::{reflect, refract};
 use crate::math::{DVec3, Departure, Ray, Side};
 use crate::shapes::mesh::Mesh;
 use crate::shapes::{Geometry, Outline, Primitive, Surface};
@@ -108,8 +108,7 @@ fn fault(shape: &Primitive, random: &mut Random, size: f64) -> Option<&'static s
         }
     }
     let index = 1.0 / 1.5;
-    let cos_transmitted = boundary(-ray.direction.dot(normal), index).cos_transmitted.unwrap_or(1.0);
-    let refracted = on_side(refract(ray.direction, normal, index, cos_transmitted), -normal);
+    let refracted = on_side(refract(ray.direction, normal, index), -normal);
     let entering = departing(&surface, refracted, towards_viewer.opposite());
     if flat {
         return meets(shape, &entering).then_some("refracted ray hits itself");

@@ -89,6 +89,7 @@ size = [32, 24]
 samples = {samples}
 [integrator]
 kind = "{integrator}"
+caustics = "off"
 [environment]
 kind = "gradient"
 zenith = [0.2, 0.4, 0.9]

@@ -73,8 +73,6 @@ pub(super) const SUBJECTS: &[Subject] = &[
 struct Crossing {
     id: SurfaceId,
     side: Side,
-    /// Length of the way to it.
-    distance: f64,
 }
 
 /// The surfaces a ray goes through, at most 64. `bend` gives the ray's direction beyond each, from the direction before it
@@ -88,17 +86,13 @@ fn crossings(
     while let Some(hit) = shapes.intersect(&ray).filter(|_| found.len() < 64) {
         let surface = shapes.surface(&ray, &hit);
         let side = Side::of(-ray.direction, surface.normal);
-        let crossing = Crossing { id: surface.id, side, distance: hit.t };
+        let crossing = Crossing { id: surface.id, side };
         found.push(crossing);
         let normal = if side == Side::Front { surface.normal } else { -surface.normal };
         let departure = Some(Departure { surface: surface.id, side: side.opposite() });
         ray = Ray { origin: surface.position, direction: bend(&crossing, ray.direction, normal), departure };
     }
     found
-}
-
-fn straight_on(_: &Crossing, direction: DVec3, _: DVec3) -> DVec3 {
-    direction
 }
 
 /// A hollow sphere of glass: refracted in and out of both its surfaces.
@@ -116,7 +110,7 @@ fn shell(effort: Effort) -> Vec<Measurement> {
                 let enters_glass = (crossing.id.shape == 0) == (crossing.side == Side::Front);
                 let index = if enters_glass { 1.0 / 1.5 } else { 1.5 };
                 let refracted = boundary(-direction.dot(normal), index).cos_transmitted;
-                refracted.map_or(direction, |cosine| refract(direction, normal, index, cosine))
+                refracted.map_or(direction, |_| refract(direction, normal, index))
             });
             let right = found.len() == 4
                 && found.iter().zip(order).all(|(found, (shape, side))| (found.id.shape, found.side) == (shape, side));
@@ -130,20 +124,28 @@ fn shell(effort: Effort) -> Vec<Measurement> {
 
 /// True if light takes each stretch of its straight way through the right glass, and ends in none. `glass_at` tells the
 /// shape that a point is in; stretches within `tolerance` do not count.
-fn takes_right_glasses(shapes: &Aggregate, ray: Ray, tolerance: f64, glass_at: impl Fn(DVec3) -> Option<u32>) -> bool {
+fn takes_right_glasses(
+    shapes: &Aggregate,
+    mut ray: Ray,
+    tolerance: f64,
+    glass_at: impl Fn(DVec3) -> Option<u32>,
+) -> bool {
     let mut media = MediumStack::default();
-    let (mut place, direction) = (ray.origin, ray.direction);
-    for crossing in crossings(shapes, ray, straight_on) {
-        let met = Medium { shape: crossing.id.shape, material: 0 };
-        let through = media.before(met, crossing.side).map(|medium| medium.shape);
-        let middle = place + direction * (0.5 * crossing.distance);
-        if crossing.distance > tolerance && through != glass_at(middle) {
+    for _ in 0..64 {
+        media = shapes.settled(&media, &ray);
+        let Some(hit) = shapes.intersect(&ray) else { return media.innermost().is_none() };
+        let surface = shapes.surface(&ray, &hit);
+        let side = Side::of(-ray.direction, surface.normal);
+        let met = Medium { shape: surface.id.shape, material: 0 };
+        let through = media.before(met, side).map(|medium| medium.shape);
+        if hit.t > tolerance && through != glass_at(ray.at(0.5 * hit.t)) {
             return false;
         }
-        place += direction * crossing.distance;
-        media = media.beyond(met, crossing.side);
+        media = media.beyond(met, side);
+        let departure = Some(Departure { surface: surface.id, side: side.opposite() });
+        ray = Ray { origin: surface.position, departure, ..ray };
     }
-    media == MediumStack::default() || media.innermost().is_none()
+    false
 }
 
 fn ppm_of(magnitude: f64, (faults, first): (f64, Option<f64>), what: &str) -> Measurement {
