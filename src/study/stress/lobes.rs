@@ -77,22 +77,23 @@ fn roughnesses() -> impl Iterator<Item = f64> {
 }
 
 /// The integral of the density over the upper half, over half vectors h: `d omega = 4 (view . h) d omega_h`. Their angle t
-/// to the normal is spread by `tan t = c sqrt(p / (1 - p))`, the distribution of microfacets of roughness c (Walter et al.,
-/// Microfacet Models for Refraction through Rough Surfaces, 2007, equation 35); with x = tan t
+/// to the normal is spread by `tan t = c u^2 / (1 - u)^3`: half of the steps lie within the peak of microfacets of roughness
+/// c, and the last ones reach far beyond, where a wide lobe of little weight may lie. With x = tan t
 ///
 /// ```text
-///   d omega_h = x / (1 + x^2)^(3/2) dx d phi = c^2 / 2 / ((1 - p)^2 (1 + x^2)^(3/2)) dp d phi
+///   d omega_h = x / (1 + x^2)^(3/2) dx d phi          dx = c u (2 + u) / (1 - u)^4 du
 /// ```
 fn integral(scattering: &Scattering, view: DVec3, spread: f64) -> f64 {
-    const RINGS: usize = 256;
+    const RINGS: usize = 384;
     const STEPS: usize = 96;
     let ring = |ring: usize| {
         let place = (ring as f64 + 0.5) / RINGS as f64;
         let rest = 1.0 - place;
-        let square = spread * spread * place / rest;
-        let cosine = 1.0 / (1.0 + square).sqrt();
-        let sine = square.sqrt() * cosine;
-        let solid_angle = 0.5 * spread * spread / (rest * rest) * cosine * cosine * cosine;
+        let tangent = spread * place * place / (rest * rest * rest);
+        let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
+        let sine = tangent * cosine;
+        let stretch = spread * place * (2.0 + place) / (rest * rest * rest * rest);
+        let solid_angle = tangent * cosine * cosine * cosine * stretch;
         let values = (0..STEPS).map(|step| {
             let (up, right) = sin_cos_turns((step as f64 + 0.5) / STEPS as f64);
             let half_vector = DVec3::new(sine * right, sine * up, cosine);

@@ -180,8 +180,7 @@ fn snell(effort: Effort) -> Vec<Measurement> {
             let frame = Frame::around(random.direction());
             let refracted =
                 frame.to_local(refract(frame.to_world(DVec3::new(sine, 0.0, -cosine)), frame.normal, index));
-            let wrong_side = if refracted.z > 1e-15 { f64::INFINITY } else { 0.0 };
-            let errors = [refracted.length() - 1.0, refracted.x - index * sine, refracted.y, wrong_side];
+            let errors = [refracted.length() - 1.0, refracted.x - index * sine, refracted.y, refracted.z.max(0.0)];
             (errors.into_iter().fold(0.0, |worst: f64, error| worst.max(error.abs())) / ulp_f32(1.0), sine)
         });
         Measurement::new(index, error, format!("sin {sine:.1e}, n1/n2 {index:.0e}"))
