@@ -13,6 +13,7 @@ mod probe;
 mod progress_bar;
 mod render;
 mod shots;
+mod stress;
 
 use std::process::ExitCode;
 
@@ -58,6 +59,8 @@ enum Command {
     Probe(probe::ProbeArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
     Shots(shots::ShotsArguments),
+    /// Measure on extreme inputs how far the program itself stays accurate
+    Stress(stress::StressArguments),
     /// Write six corrected files, or print the corrected lookup
     Fix(fix::FixArguments),
 }
@@ -73,6 +76,7 @@ pub fn run() -> ExitCode {
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
+        Command::Stress(arguments) => stress::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
     };
     exit_code(result)

@@ -38,6 +38,11 @@ impl RenderBar {
         Self { bar, rays: AtomicU64::new(0), started: Instant::now(), limit: None }
     }
 
+    /// One step of work that is not counted in rays.
+    pub fn step(&self) {
+        self.bar.inc(1);
+    }
+
     /// Removes the bar from the terminal.
     pub fn finish(&self) {
         self.bar.finish_and_clear();

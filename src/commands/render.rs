@@ -16,6 +16,7 @@ use crate::picture::{self, Extras, OutputFormat, check_target};
 use crate::render::{Budget, Layers, Renderer, Rendering, render_progressively};
 use crate::report::RenderReport;
 use crate::scene::{Plan, Scene};
+use crate::study::stress::outside_limits;
 
 #[derive(Debug, Args)]
 pub struct RenderArguments {
@@ -53,6 +54,7 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let plan = Plan::new(&scene);
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.scene));
     refuse(arguments, &scene, &output)?;
+    outside_limits(&scene).iter().for_each(|figure| eprintln!("warning: {figure}"));
     let loaded = started.elapsed();
     let rendering = rendering(arguments, &scene, &plan)?;
     let rendered = started.elapsed();

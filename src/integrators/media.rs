@@ -1,8 +1,7 @@
 //! The glasses that rays go through.
 
 use super::direct::View;
-use crate::materials::{Material, Medium, MediumStack};
-use crate::math::functions::exponential;
+use crate::materials::{Material, Medium, MediumStack, beer_lambert};
 use crate::math::{DVec3, Departure, Ray, Side, Vec3};
 use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
@@ -43,28 +42,22 @@ impl Media<'_> {
     }
 }
 
-/// The glass a ray came through to a surface. A glass whose inside is met without having been entered (its surface
-/// coincides with another's, where rounding decides what is met first) is what the ray came through.
+/// The glass a ray came through to a surface: see [`MediumStack::before`].
 #[inline]
 pub(super) fn medium_before(media: &MediumStack, surface: &Surface, view: &View) -> Option<Medium> {
-    let met = Medium { shape: surface.id.shape, material: surface.material };
-    let unknown = view.side == Side::Back && !media.contains(met.shape);
-    if unknown { Some(met) } else { media.innermost() }
+    media.before(met(surface), view.side)
 }
 
 /// The glasses on the far side of a surface that light passes.
 #[inline]
 pub(super) fn beyond(media: &MediumStack, surface: &Surface, view: &View) -> MediumStack {
-    let medium = Medium { shape: surface.id.shape, material: surface.material };
-    match view.side {
-        Side::Front => media.entering(medium),
-        Side::Back => media.leaving(medium.shape),
-    }
+    media.beyond(met(surface), view.side)
 }
 
-/// `e^(-coefficient * distance)`; no absorption is none over any distance.
-fn beer_lambert(coefficient: f32, distance: f64) -> f32 {
-    if coefficient == 0.0 { 1.0 } else { exponential((-f64::from(coefficient) * distance) as f32) }
+/// The glass, if it is one, that a surface encloses.
+#[inline]
+fn met(surface: &Surface) -> Medium {
+    Medium { shape: surface.id.shape, material: surface.material }
 }
 
 /// Surfaces met at most on the way out.

@@ -65,6 +65,12 @@ struct Tracer<'a> {
 impl Tracer<'_> {
     fn radiance(&mut self, path: &Path<'_>) -> Vec3 {
         let scene = self.scene;
+        if path.media.is_nested() {
+            let media = scene.shapes.settled(path.media, &path.ray);
+            if media != *path.media {
+                return self.radiance(&Path { media: &media, ..*path });
+            }
+        }
         let Some(hit) = scene.shapes.intersect(&path.ray) else {
             self.counts.environment += 1;
             let radiance = scene.environment.radiance(path.ray.direction);
@@ -116,8 +122,8 @@ impl Tracer<'_> {
         if self.plan.reflection && boundary.reflectance > 0.0 {
             radiance += self.reflected(path, surface, view, reflectance, transmittance);
         }
-        if let Some(cos_transmitted) = boundary.cos_transmitted {
-            let refracted = refract(direction, view.shading_normal, relative_index, cos_transmitted);
+        if boundary.cos_transmitted.is_some() {
+            let refracted = refract(direction, view.shading_normal, relative_index);
             let branch = Branch {
                 passes: true,
                 direction: on_side(refracted, -view.normal),

@@ -1,4 +1,7 @@
-//! The nested glasses a ray is inside of.
+//! The nested glasses a ray is inside of, and what they leave of light.
+
+use crate::math::Side;
+use crate::math::functions::exponential_f64;
 
 /// A glass: the shape that encloses it and the material it is made of, by their numbers in the scene.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -31,10 +34,23 @@ impl MediumStack {
         self.media[..usize::from(self.depth)].iter().any(|entered| entered.shape == shape)
     }
 
-    /// The stack after entering a glass.
+    /// True if the ray is inside of several glasses at once.
+    #[inline]
+    pub fn is_nested(&self) -> bool {
+        self.depth > 1
+    }
+
+    /// The glasses for which `keep` says so of their shape.
+    pub fn retaining(&self, keep: impl Fn(u32) -> bool) -> Self {
+        let entered = self.media[..usize::from(self.depth)].iter();
+        entered.filter(|medium| keep(medium.shape)).fold(Self::default(), |media, &medium| media.entering(medium))
+    }
+
+    /// The stack after entering a glass. One that the ray is inside of already stays where it is: its surface was met
+    /// twice, as happens where it coincides with another.
     #[inline]
     pub fn entering(mut self, medium: Medium) -> Self {
-        if usize::from(self.depth) < Self::CAPACITY {
+        if usize::from(self.depth) < Self::CAPACITY && !self.contains(medium.shape) {
             self.media[usize::from(self.depth)] = medium;
             self.depth += 1;
         }
@@ -52,6 +68,33 @@ impl MediumStack {
         }
         self
     }
+
+    /// The glass a ray came through to a side of the surface of `met`. A glass whose inside is met without having been
+    /// entered (its surface coincides with another's, where rounding decides what is met first) is what the ray came
+    /// through.
+    #[inline]
+    pub fn before(&self, met: Medium, side: Side) -> Option<Medium> {
+        let unknown = side == Side::Back && !self.contains(met.shape);
+        if unknown { Some(met) } else { self.innermost() }
+    }
+
+    /// The glasses beyond the surface of `met`, for light that passes it from a side.
+    #[inline]
+    pub fn beyond(self, met: Medium, side: Side) -> Self {
+        match side {
+            Side::Front => self.entering(met),
+            Side::Back => self.leaving(met.shape),
+        }
+    }
+}
+
+/// Share of light that is left after a distance (0 to infinity): `e^(-coefficient * distance)`, Beer and Lambert's law; no
+/// absorption is none over any distance.
+///
+/// In `f64`, as rounding the exponent x to `f32` would make x ulp of the result uncertain; to half an ulp so.
+#[inline]
+pub fn beer_lambert(coefficient: f32, distance: f64) -> f32 {
+    if coefficient == 0.0 { 1.0 } else { exponential_f64(-f64::from(coefficient) * distance) as f32 }
 }
 
 #[cfg(test)]
@@ -67,5 +110,8 @@ mod tests {
         assert_eq!(stack.leaving(7).innermost(), Some(glass(3)));
         assert_eq!(MediumStack::default().leaving(1).innermost(), None);
         assert_eq!(stack.leaving(1).leaving(2).leaving(3).innermost(), None);
+        assert_eq!(stack.entering(glass(2)), stack);
+        assert_eq!(stack.retaining(|shape| shape != 2), stack.leaving(2));
+        assert!(stack.is_nested() && !stack.leaving(1).leaving(3).is_nested());
     }
 }

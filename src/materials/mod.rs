@@ -21,7 +21,7 @@ pub use coated::{Coat, Coated};
 pub use colour_source::{Checker, ColourSource, ImageTexture};
 pub use conductor::{METALS, MetalReflectance};
 pub use diffuse::{Diffuse, cosine_density, cosine_direction};
-pub use medium::{Medium, MediumStack};
+pub use medium::{Medium, MediumStack, beer_lambert};
 pub use metal::Metal;
 pub use phong::{Phong, phong_lobe};
 pub use rough_glass::{RoughBoundary, RoughGlass};

@@ -29,8 +29,8 @@ impl SmoothBoundary {
     pub fn sample(&self, view: DVec3, choice: f64) -> Option<ScatteringSample> {
         let boundary = boundary(view.z, self.relative_index);
         match boundary.cos_transmitted {
-            Some(cos_transmitted) if choice >= boundary.reflectance => Some(ScatteringSample {
-                direction: refract(-view, DVec3::Z, self.relative_index, cos_transmitted),
+            Some(_) if choice >= boundary.reflectance => Some(ScatteringSample {
+                direction: refract(-view, DVec3::Z, self.relative_index),
                 weight: Vec3::ONE,
                 density: 1.0 - boundary.reflectance,
                 specular: true,

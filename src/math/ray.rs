@@ -25,6 +25,13 @@ impl Ray {
         self.origin + self.direction * t
     }
 
+    /// How far rounding may have put the origin from the surface it should lie on, for surfaces that the ray does not know
+    /// it leaves: 8 roundoffs of the largest coordinate.
+    #[inline(always)]
+    pub fn origin_error(&self) -> f64 {
+        self.origin.abs().max_element() * (1.0 / (1u64 << 50) as f64)
+    }
+
     /// The departure, if it is from shape number `shape`.
     pub fn leaves(&self, shape: u32) -> Option<Departure> {
         self.departure.filter(|departure| departure.surface.shape == shape)

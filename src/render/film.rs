@@ -8,7 +8,7 @@ use crate::picture::Raster;
 
 /// The part of the film under one tile, all its pixels with the same count of samples.
 #[derive(Debug, Clone)]
-pub(super) struct TileFilm {
+pub(crate) struct TileFilm {
     pub tile: Tile,
     /// Samples a pixel so far.
     pub samples: u32,

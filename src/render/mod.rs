@@ -9,6 +9,9 @@ mod ray_source;
 mod renderer;
 mod tile;
 
+pub(crate) use film::TileFilm;
+pub(crate) use tile::Tile;
+
 pub use axis_shots::{AxisShot, front};
 pub use layers::Layers;
 pub use progress::{Progress, Silent};

@@ -5,7 +5,7 @@ const SIDE: usize = 16;
 
 /// A rectangle of a picture, in pixels from the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Tile {
+pub(crate) struct Tile {
     pub x: usize,
     pub y: usize,
     pub width: usize,

@@ -1,6 +1,7 @@
 //! What the tool says and draws. Only this module draws.
 
 mod canvas;
+mod chart_marks;
 mod check_report;
 mod code;
 mod colour_map;
@@ -27,6 +28,8 @@ mod probe_report;
 mod render_report;
 mod seam_mark;
 mod shots_report;
+mod stress_plot;
+mod stress_report;
 mod text_drawing;
 
 pub use check_report::{CheckReport, failed_check_json};
@@ -46,6 +49,8 @@ pub use probe_report::ProbeReport;
 pub use render_report::RenderReport;
 pub use seam_mark::SeamMark;
 pub use shots_report::ShotsReport;
+pub use stress_plot::StressPlot;
+pub use stress_report::StressReport;
 pub use text_drawing::{Anchor, draw_text, text_path, text_width};
 
 #[cfg(test)]

@@ -1,7 +1,8 @@
 //! All shapes of a scene, and the way to find those a ray meets.
 
 use crate::bvh::{FloatBox, Hierarchy, Visit};
-use crate::math::{Ray, SurfaceId};
+use crate::materials::MediumStack;
+use crate::math::{Ray, Side, SurfaceId};
 use crate::shapes::{Balls, Hit, Primitive, Surface};
 
 /// No shape has this number.
@@ -134,6 +135,28 @@ impl Aggregate {
             if found { Visit::Stop } else { Visit::Continue }
         });
         found
+    }
+
+    /// Of glasses inside of one another those whose inside the ray meets ahead.
+    ///
+    /// Where the surfaces of two glasses coincide, rounding may have the ray enter the second before it leaves the first,
+    /// and start past the first one's surface, which is then never met:
+    ///
+    /// ```text
+    ///       first      | second
+    ///     -------------o====>          o lies a rounding error to the right of the first one's surface
+    /// ```
+    #[inline]
+    pub fn settled(&self, media: &MediumStack, ray: &Ray) -> MediumStack {
+        if media.is_nested() { media.retaining(|shape| self.is_inside(shape, ray)) } else { *media }
+    }
+
+    /// True if the ray meets the shape from inside.
+    #[inline(never)]
+    fn is_inside(&self, shape: u32, ray: &Ray) -> bool {
+        let primitive = &self.primitives[shape as usize];
+        let hit = primitive.intersect(ray, shape, f64::INFINITY);
+        hit.is_some_and(|hit| Side::of(-ray.direction, primitive.surface(ray, &hit).normal) == Side::Back)
     }
 
     /// The surface at a hit.

@@ -8,6 +8,7 @@
 //!     radius^2     [ r0   r1   r2   -1 ]
 //! ```
 
+use super::sphere;
 use crate::math::{DVec3, Ray, Side};
 
 /// Spheres tested at once.
@@ -56,6 +57,7 @@ impl Balls {
     #[inline(always)]
     pub fn hits(&self, ray: &Ray, mut found: impl FnMut(u32, f64) -> bool) -> bool {
         let lines = self.lines(ray);
+        let error = ray.origin_error();
         let leaving = ray.departure.map_or(u32::MAX, |departure| departure.surface.shape);
         for lane in 0..LANES {
             let shape = self.shapes[lane];
@@ -66,7 +68,7 @@ impl Balls {
                     return true;
                 }
             } else if lines.may_hit(lane) {
-                let distance = lines.nearest(lane);
+                let distance = lines.nearest(lane, error);
                 if distance > 0.0 && found(shape, distance) {
                     return true;
                 }
@@ -103,15 +105,22 @@ impl Lines {
         self.half_chord[lane] >= 0.0 && !(self.half_b[lane] > 0.0 && self.outside[lane] > 0.0)
     }
 
-    /// The nearest root ahead of the ray; may be 0 or less.
+    /// The nearest root ahead of the ray; 0 or less if there is none, or only an exit no farther than the error of the origin:
+    /// see [`sphere::intersect`].
     #[inline(always)]
-    fn nearest(&self, lane: usize) -> f64 {
+    fn nearest(&self, lane: usize, error: f64) -> f64 {
         let half_b = self.half_b[lane];
         // The root without cancellation first, the other from the product of the roots.
         let q = -half_b - self.half_chord[lane].sqrt().copysign(half_b);
         let other = self.outside[lane] / q;
         let (near, far) = if other < q { (other, q) } else { (q, other) };
-        if near > 0.0 { near } else { far }
+        if near > 0.0 {
+            near
+        } else if sphere::is_ahead(near, far, error) {
+            far
+        } else {
+            0.0
+        }
     }
 }
 

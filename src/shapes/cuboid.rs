@@ -6,8 +6,17 @@ use crate::math::{DVec2, DVec3, Departure, Side};
 ///
 /// Each pair of parallel faces is a slab; inside the cube is inside all three (Kay and Kajiya, Ray Tracing Complex
 /// Scenes, 1986). A ray that leaves a face outwards is done; inwards it can only meet the far side.
+///
+/// `error` is how far, in units of the direction's length, the origin may be from where it should be: an exit no farther
+/// ahead, of a ray not known to be inside, is that of a ray that starts on a face and moves away from it.
 #[inline]
-pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Option<Departure>) -> Option<(f64, u32)> {
+pub(super) fn intersect(
+    origin: DVec3,
+    direction: DVec3,
+    limit: f64,
+    leaving: Option<Departure>,
+    error: f64,
+) -> Option<(f64, u32)> {
     if leaving.is_some_and(|departure| departure.side == Side::Front) {
         return None;
     }
@@ -29,6 +38,11 @@ pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Op
     }
     let inside = leaving.is_some();
     if near.0 > far.0 && !inside {
+        return None;
+    }
+    // The thickness of the box along the ray counts its own rounding.
+    let starts_on_exit = near.0 <= 0.0 && far.0 <= error + (far.0 - near.0) * (1.0 / (1u64 << 50) as f64);
+    if starts_on_exit && !inside {
         return None;
     }
     let hit = if near.0 > 0.0 && !inside { near } else { (if inside { far.0.max(0.0) } else { far.0 }, far.1) };
@@ -65,11 +79,11 @@ mod tests {
 
     #[test]
     fn enters_by_the_face_that_looks_at_the_ray() {
-        let (t, face) = intersect(DVec3::new(-3.0, 0.2, 0.1), DVec3::X, f64::INFINITY, None).unwrap();
+        let (t, face) = intersect(DVec3::new(-3.0, 0.2, 0.1), DVec3::X, f64::INFINITY, None, 0.0).unwrap();
         assert_eq!((t, normal(face)), (2.0, DVec3::NEG_X));
-        let (t, face) = intersect(DVec3::ZERO, DVec3::NEG_Z, f64::INFINITY, None).unwrap();
+        let (t, face) = intersect(DVec3::ZERO, DVec3::NEG_Z, f64::INFINITY, None, 0.0).unwrap();
         assert_eq!((t, normal(face)), (1.0, DVec3::NEG_Z));
-        assert!(intersect(DVec3::new(3.0, 0.0, 0.0), DVec3::X, f64::INFINITY, None).is_none());
-        assert!(intersect(DVec3::new(-3.0, 2.0, 0.0), DVec3::X, f64::INFINITY, None).is_none());
+        assert!(intersect(DVec3::new(3.0, 0.0, 0.0), DVec3::X, f64::INFINITY, None, 0.0).is_none());
+        assert!(intersect(DVec3::new(-3.0, 2.0, 0.0), DVec3::X, f64::INFINITY, None, 0.0).is_none());
     }
 }

@@ -156,7 +156,7 @@ impl Primitive {
             // A sphere does not change when it is turned: only its place and size count.
             Kernel::Ball { centre, inverse_radius, .. } => {
                 let (origin, direction) = ((ray.origin - *centre) * *inverse_radius, ray.direction * *inverse_radius);
-                Some((sphere::intersect(origin, direction, limit, side)?, 0))
+                Some((sphere::intersect(origin, direction, limit, side, ray.origin_error())?, 0))
             }
             // A flat surface cannot be hit again by a ray that leaves it.
             Kernel::Flat { .. } if leaving.is_some() => None,
@@ -174,9 +174,9 @@ impl Primitive {
         match self.kernel {
             Kernel::Ellipsoid => {
                 let side = leaving.map(|departure| departure.side);
-                Some((sphere::intersect(origin, direction, limit, side)?, 0))
+                Some((sphere::intersect(origin, direction, limit, side, ray.origin_error())?, 0))
             }
-            Kernel::Cuboid => cuboid::intersect(origin, direction, limit, leaving),
+            Kernel::Cuboid => cuboid::intersect(origin, direction, limit, leaving, ray.origin_error()),
             Kernel::Ball { .. } | Kernel::Flat { .. } | Kernel::Mesh(_) => None,
         }
     }

@@ -12,15 +12,18 @@ use crate::math::{DVec2, DVec3, Side};
 ///
 /// A ray that leaves this sphere has one root at its origin. Outwards it never comes back; inwards the other root is
 /// -2 o.d / d.d in closed form, so neither is a matter of tolerance.
+///
+/// `error` is how far, in units of the direction's length, the origin may be from where it should be: an exit no farther
+/// ahead, of a ray not known to be inside, is that of a ray that starts on the surface and moves away from it.
 #[inline]
-pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Option<Side>) -> Option<f64> {
+pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Option<Side>, error: f64) -> Option<f64> {
     let squared_length = direction.length_squared();
     let half_b = origin.dot(direction);
     let distance = match leaving {
         Some(Side::Front) => return None,
         // Rounding at grazing directions may make the chord negative: then it has no length.
         Some(Side::Back) => (-2.0 * half_b / squared_length).max(0.0),
-        None => from_free_space(origin, direction, half_b, squared_length)?,
+        None => from_free_space(origin, direction, half_b, squared_length, error)?,
     };
     // A chord of no length is still a hit: the ray stays inside until it passes the surface.
     let starts_inside = leaving == Some(Side::Back);
@@ -29,7 +32,7 @@ pub(super) fn intersect(origin: DVec3, direction: DVec3, limit: f64, leaving: Op
 
 /// The nearest root ahead of a ray that starts anywhere.
 #[inline(always)]
-fn from_free_space(origin: DVec3, direction: DVec3, half_b: f64, squared_length: f64) -> Option<f64> {
+fn from_free_space(origin: DVec3, direction: DVec3, half_b: f64, squared_length: f64, error: f64) -> Option<f64> {
     let c = origin.length_squared() - 1.0;
     if half_b > 0.0 && c > 0.0 {
         return None;
@@ -47,7 +50,13 @@ fn from_free_space(origin: DVec3, direction: DVec3, half_b: f64, squared_length:
     let q = -half_b - root.copysign(half_b);
     let (first, second) = (c / q, q / squared_length);
     let (near, far) = if first < second { (first, second) } else { (second, first) };
-    Some(if near > 0.0 { near } else { far })
+    if near > 0.0 { Some(near) } else { is_ahead(near, far, error).then_some(far) }
+}
+
+/// True if the far root, the near one being behind, is beyond what rounding makes of an origin on the surface.
+#[inline(always)]
+pub(super) fn is_ahead(near: f64, far: f64, error: f64) -> bool {
+    far > error - near * (1.0 / (1u64 << 50) as f64)
 }
 
 /// The outward normal at a point on the sphere.
@@ -67,7 +76,7 @@ mod tests {
 
     #[test]
     fn finds_the_nearest_of_the_roots_ahead() {
-        let hit = |origin: DVec3| intersect(origin, DVec3::X, f64::INFINITY, None);
+        let hit = |origin: DVec3| intersect(origin, DVec3::X, f64::INFINITY, None, 0.0);
         assert_eq!(hit(DVec3::new(-3.0, 0.0, 0.0)), Some(2.0));
         assert_eq!(hit(DVec3::ZERO), Some(1.0));
         assert_eq!(hit(DVec3::new(3.0, 0.0, 0.0)), None);
@@ -76,15 +85,15 @@ mod tests {
 
     #[test]
     fn the_direction_may_have_any_length() {
-        let hit = intersect(DVec3::new(-3.0, 0.0, 0.0), DVec3::X * 4.0, f64::INFINITY, None);
+        let hit = intersect(DVec3::new(-3.0, 0.0, 0.0), DVec3::X * 4.0, f64::INFINITY, None, 0.0);
         assert_eq!(hit, Some(0.5));
     }
 
     #[test]
     fn a_departing_ray_meets_the_sphere_only_at_the_other_end_of_the_chord() {
         let origin = DVec3::new(0.6, 0.8, 0.0);
-        assert_eq!(intersect(origin, DVec3::NEG_X, f64::INFINITY, Some(Side::Front)), None);
-        let chord = intersect(origin, DVec3::NEG_X, f64::INFINITY, Some(Side::Back)).unwrap();
+        assert_eq!(intersect(origin, DVec3::NEG_X, f64::INFINITY, Some(Side::Front), 0.0), None);
+        let chord = intersect(origin, DVec3::NEG_X, f64::INFINITY, Some(Side::Back), 0.0).unwrap();
         assert!((chord - 1.2).abs() < 1e-15);
     }
 
@@ -92,7 +101,7 @@ mod tests {
     fn a_point_of_the_far_sphere_is_hit_to_the_last_digits() {
         // Distance 1e7 radii: the textbook discriminant would be all rounding here in f32, and lose half in f64.
         let origin = DVec3::new(-1e7, 0.5, 0.0);
-        let t = intersect(origin, DVec3::X, f64::INFINITY, None).unwrap();
+        let t = intersect(origin, DVec3::X, f64::INFINITY, None, 0.0).unwrap();
         let exact = 1e7 - 0.75_f64.sqrt();
         assert!((t - exact).abs() < 1e-8);
     }

@@ -1,8 +1,10 @@
-//! What one picture is against another: metrics, what a student's picture does differently, error against run time. Data only.
+//! Studies of pictures and of the program itself: metrics, what a student's picture does differently, error against run
+//! time, and how far the kernels stay accurate. Data only.
 
 pub mod comparison;
 pub mod converge;
 pub mod metrics;
 mod plane;
+pub mod stress;
 
 pub use plane::Plane;

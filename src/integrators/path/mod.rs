@@ -118,6 +118,7 @@ impl<'a> Walk<'a> {
     /// Follows the path to the next surface and chooses how to leave it. False at the path's end.
     fn step(&mut self, path: &mut Path<'a>) -> bool {
         let scene = self.scene;
+        path.media = scene.shapes.settled(&path.media, &path.ray);
         let Some(hit) = scene.shapes.intersect(&path.ray) else {
             self.take_environment(path);
             return false;
@@ -259,6 +260,7 @@ impl<'a> Walk<'a> {
         let start = path.bounces;
         self.counts.shadow += 1;
         loop {
+            path.media = scene.shapes.settled(&path.media, &path.ray);
             let Some(hit) = scene.shapes.intersect(&path.ray) else {
                 if path.bounces > start {
                     self.take_environment(&path);

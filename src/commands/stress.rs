@@ -1,0 +1,83 @@
+//! `skycube stress`: the program's own kernels on extreme inputs.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::Outcome;
+use super::progress_bar::RenderBar;
+use crate::error::{Error, Result};
+use crate::picture::{check_target, write_atomically};
+use crate::report::{StressPlot, StressReport};
+use crate::study::stress::{Case, Effort, Subject, Verdict, subjects};
+
+#[derive(Debug, Args)]
+#[command(after_help = "Exit codes: 0 all bounds kept where they are promised, 1 not, 2 could not run.")]
+pub struct StressArguments {
+    /// Only the cases whose name begins so, each step of them
+    #[arg(long, value_name = "NAME")]
+    case: Option<String>,
+    /// Rays spent on self-intersection; the other cases take their share of it
+    #[arg(long, value_name = "N", default_value_t = Effort::FULL.rays as u64, value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
+    rays: u64,
+    /// Draw error against magnitude, a curve a case: .svg or .png
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Print the report as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Sweeps and prints.
+pub fn run(arguments: &StressArguments) -> Result<Outcome> {
+    let effort = Effort { rays: arguments.rays as usize };
+    let chosen = chosen(arguments.case.as_deref())?;
+    if let Some(file) = &arguments.plot {
+        is_svg(file)?;
+        check_target(file)?;
+    }
+    let bar = RenderBar::new(chosen.len() as u64, "measuring");
+    let measured = |subject: Subject| {
+        let case = subject.measured(effort);
+        bar.step();
+        case
+    };
+    let cases: Vec<Case> = chosen.into_iter().map(measured).collect();
+    bar.finish();
+    let report = StressReport { cases: &cases, effort, steps: arguments.case.is_some() };
+    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    if let Some(file) = &arguments.plot {
+        draw(&cases, file)?;
+    }
+    let fails = cases.iter().any(|case| case.verdict() == Verdict::Fails);
+    Ok(if fails { Outcome::Faults } else { Outcome::Clean })
+}
+
+/// The cases whose name begins as asked for, or all.
+fn chosen(name: Option<&str>) -> Result<Vec<Subject>> {
+    let all = subjects();
+    let Some(name) = name else { return Ok(all) };
+    let chosen: Vec<Subject> = all.iter().copied().filter(|subject| subject.name.starts_with(name)).collect();
+    if chosen.is_empty() {
+        let names: Vec<&str> = all.iter().map(|subject| subject.name).collect();
+        return Err(Error::new(format!("there is no case \"{name}\"")).expected(format!("one of {}", names.join(", "))));
+    }
+    Ok(chosen)
+}
+
+/// Whether a file is to hold an SVG; the other choice is PNG.
+fn is_svg(file: &Path) -> Result<bool> {
+    let extension = file.extension().map(|extension| extension.to_string_lossy().to_ascii_lowercase());
+    match extension.as_deref() {
+        Some("svg") => Ok(true),
+        Some("png") => Ok(false),
+        _ => Err(Error::new("the name does not tell how the chart is to be written")
+            .in_file(file)
+            .expected("the extension .svg or .png")),
+    }
+}
+
+fn draw(cases: &[Case], file: &Path) -> Result<()> {
+    let plot = StressPlot::new(cases);
+    if is_svg(file)? { write_atomically(file, plot.to_svg().as_bytes()) } else { plot.to_drawing().write(file) }
+}

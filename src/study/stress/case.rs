@@ -1,0 +1,132 @@
+//! A case: one thing swept over decades, and how far it stays accurate.
+
+use super::effort::Effort;
+use super::limits::Range;
+
+/// What is to be swept.
+#[derive(Debug, Clone, Copy)]
+pub struct Subject {
+    pub group: Group,
+    /// One word, for `--case`.
+    pub name: &'static str,
+    /// What grows along the sweep.
+    pub swept: &'static str,
+    /// What the error is, in words and with its unit.
+    pub error: &'static str,
+    /// The unit alone, short.
+    pub unit: &'static str,
+    /// The largest error that is right.
+    pub bound: f64,
+    /// Where the bound must be kept. The sweep goes on beyond, to show where it ends.
+    pub promised: Range,
+    pub sweep: fn(Effort) -> Vec<Measurement>,
+}
+
+/// What a case is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Group {
+    Lookup,
+    Shapes,
+    SelfIntersection,
+    Optics,
+    Lobes,
+    Sums,
+}
+
+/// The worst error at one magnitude.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Measurement {
+    /// What was swept, at this step; more than 0.
+    pub magnitude: f64,
+    /// In units of the case; infinite where no number came out.
+    pub error: f64,
+    /// The input that made the error.
+    pub input: String,
+}
+
+/// A subject that was swept.
+#[derive(Debug, Clone)]
+pub struct Case {
+    pub subject: Subject,
+    /// In the order of the magnitudes, upwards; never empty.
+    pub measurements: Vec<Measurement>,
+}
+
+/// How a case ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// Within the bound wherever it was measured.
+    Holds,
+    /// Within the bound where that is promised; the sweep found where it ends beyond.
+    Ends,
+    /// Beyond the bound where it is promised.
+    Fails,
+}
+
+impl Group {
+    pub const ALL: [Self; 6] =
+        [Self::Lookup, Self::Shapes, Self::SelfIntersection, Self::Optics, Self::Lobes, Self::Sums];
+
+    /// The heading above its cases.
+    pub fn title(self) -> &'static str {
+        match self {
+            Group::Lookup => "lookup",
+            Group::Shapes => "shapes",
+            Group::SelfIntersection => "self-intersection",
+            Group::Optics => "optics",
+            Group::Lobes => "lobes and light",
+            Group::Sums => "sums",
+        }
+    }
+}
+
+impl Measurement {
+    pub fn new(magnitude: f64, error: f64, input: impl Into<String>) -> Self {
+        Self { magnitude, error, input: input.into() }
+    }
+}
+
+impl Subject {
+    /// Sweeps.
+    pub fn measured(self, effort: Effort) -> Case {
+        Case { subject: self, measurements: (self.sweep)(effort) }
+    }
+}
+
+impl Case {
+    fn is_within(&self, measurement: &Measurement) -> bool {
+        measurement.error <= self.subject.bound
+    }
+
+    fn is_promised(&self, measurement: &Measurement) -> bool {
+        self.subject.promised.holds(measurement.magnitude)
+    }
+
+    /// From the first to the last magnitude of the longest stretch without an error beyond the bound; of equally long ones
+    /// the one of larger magnitudes. `None` if there is none.
+    pub fn range(&self) -> Option<Range> {
+        let stretches = self.measurements.split(|measurement| !self.is_within(measurement));
+        let longest = stretches.max_by_key(|stretch| stretch.len())?;
+        Some(Range { least: longest.first()?.magnitude, most: longest.last()?.magnitude })
+    }
+
+    /// The worst measurement where the bound is promised.
+    pub fn worst(&self) -> &Measurement {
+        let promised = self.measurements.iter().filter(|measurement| self.is_promised(measurement));
+        let worst = promised.reduce(|one, other| if other.error > one.error { other } else { one });
+        worst.unwrap_or(&self.measurements[0])
+    }
+
+    pub fn verdict(&self) -> Verdict {
+        let beyond = |measurement: &&Measurement| !self.is_within(measurement);
+        if self.measurements.iter().filter(beyond).any(|measurement| self.is_promised(measurement)) {
+            Verdict::Fails
+        } else if self.measurements.iter().any(|measurement| beyond(&measurement)) {
+            Verdict::Ends
+        } else {
+            Verdict::Holds
+        }
+    }
+}

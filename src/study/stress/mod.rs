@@ -1,0 +1,50 @@
+//! The program's own kernels on extreme inputs: how far each stays accurate, found by measuring. Data only.
+//!
+//! Each case sweeps one magnitude over decades, takes the worst error of many inputs at each step against a reference of
+//! higher precision or a closed form, and says in which range the error stays within its bound. The inputs are the same
+//! everywhere, and so are the figures.
+
+mod case;
+mod effort;
+mod faces;
+mod lights;
+mod limits;
+mod lobes;
+mod lookup;
+mod mesh_cases;
+mod octasphere;
+mod optics;
+mod placed;
+mod random;
+mod reference;
+mod scene_limits;
+mod self_intersection;
+mod shapes;
+mod sums;
+mod surfaces;
+mod wide;
+mod wide_vector;
+
+pub use case::{Case, Group, Measurement, Subject, Verdict};
+pub use effort::Effort;
+pub use limits::{LIMITS, Limit, Range};
+pub use placed::{ball, hit_error, placed};
+pub use reference::ulp_f32;
+pub use scene_limits::outside_limits;
+
+/// All that can be swept, in the order of the report.
+pub fn subjects() -> Vec<Subject> {
+    [
+        lookup::SUBJECTS,
+        faces::SUBJECTS,
+        shapes::SUBJECTS,
+        mesh_cases::SUBJECTS,
+        self_intersection::SUBJECTS,
+        optics::SUBJECTS,
+        surfaces::SUBJECTS,
+        lobes::SUBJECTS,
+        lights::SUBJECTS,
+        sums::SUBJECTS,
+    ]
+    .concat()
+}

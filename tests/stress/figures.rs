@@ -1,0 +1,66 @@
+//! The figures of a fast run.
+
+use std::sync::OnceLock;
+
+use skycube::report::StressReport;
+use skycube::study::stress::{Case, Effort, LIMITS, Verdict, subjects};
+
+const FAST: Effort = Effort { rays: 20_000 };
+
+/// All cases, measured once for all tests.
+fn cases() -> &'static [Case] {
+    static CASES: OnceLock<Vec<Case>> = OnceLock::new();
+    CASES.get_or_init(|| subjects().into_iter().map(|subject| subject.measured(FAST)).collect())
+}
+
+#[test]
+fn every_promise_is_kept() {
+    for case in cases() {
+        assert!(case.verdict() != Verdict::Fails, "{}: {:?}", case.subject.name, case.worst());
+    }
+}
+
+#[test]
+fn the_figures_are_the_same_everywhere() {
+    insta::assert_snapshot!(StressReport { cases: cases(), effort: FAST, steps: false });
+}
+
+#[test]
+fn a_line_fits_a_terminal() {
+    let report = StressReport { cases: cases(), effort: FAST, steps: false }.to_string();
+    let longest = report.lines().map(|line| line.chars().count()).max().unwrap();
+    assert!(longest <= 120, "{longest} columns");
+}
+
+#[test]
+fn a_case_is_measured_again_as_it_was() {
+    let again = |name: &str| subjects().into_iter().find(|subject| subject.name == name).unwrap().measured(FAST);
+    for name in ["sphere-f64", "self-sphere", "film"] {
+        let first = cases().iter().find(|case| case.subject.name == name).unwrap();
+        assert_eq!(first.measurements, again(name).measurements);
+    }
+}
+
+#[test]
+fn every_limit_is_measured_from_end_to_end() {
+    for limit in LIMITS {
+        let case = cases().iter().find(|case| case.subject.name == limit.case);
+        let case = case.unwrap_or_else(|| panic!("no case {}", limit.case));
+        let promised = case.subject.promised;
+        // A limit from zero has no end below.
+        let least = if limit.range.least == 0.0 { promised.least } else { limit.range.least };
+        assert!(promised.least <= least && promised.most >= limit.range.most, "{}", limit.figure);
+        let measured =
+            |magnitude: f64| case.measurements.iter().any(|step| (step.magnitude / magnitude - 1.0).abs() < 1e-9);
+        assert!(measured(least) && measured(limit.range.most), "{}: an end is not measured", limit.figure);
+    }
+}
+
+#[test]
+fn names_are_words_of_their_own() {
+    let names: Vec<&str> = subjects().iter().map(|subject| subject.name).collect();
+    for (place, name) in names.iter().enumerate() {
+        assert!(!names[..place].contains(name), "{name} twice");
+        assert!(name.chars().all(|letter| letter.is_ascii_lowercase() || letter == '-' || letter.is_ascii_digit()));
+    }
+}

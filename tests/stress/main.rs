@@ -1,0 +1,10 @@
+//! The limits of accuracy: what `skycube stress` measures, with fewer rays, and the same properties on random inputs.
+
+#[path = "../support/icosphere.rs"]
+mod icosphere;
+#[path = "../support/random.rs"]
+mod random;
+
+mod command;
+mod figures;
+mod properties;
