@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod cross;
 mod fix;
+mod grade;
 mod interrupt;
 mod map_options;
 mod options;
@@ -51,6 +52,8 @@ enum Command {
     Compare(compare::CompareArguments),
     /// Draw a map unfolded, as the lookup shows it, with its seams
     Cross(cross::CrossArguments),
+    /// Find the fault in your own cube-map code from six of your renders
+    Grade(grade::GradeArguments),
     /// Follow the lookup of one direction step by step
     Probe(probe::ProbeArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
@@ -67,6 +70,7 @@ pub fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
+        Command::Grade(arguments) => grade::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
