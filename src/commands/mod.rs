@@ -7,12 +7,14 @@ mod cross;
 mod fix;
 mod grade;
 mod interrupt;
+mod lessons;
 mod map_options;
 mod options;
 mod probe;
 mod progress_bar;
 mod render;
 mod shots;
+mod trace;
 
 use std::process::ExitCode;
 
@@ -54,10 +56,14 @@ enum Command {
     Cross(cross::CrossArguments),
     /// Find the fault in your own cube-map code from six of your renders
     Grade(grade::GradeArguments),
+    /// List the lessons, show one, or start one in a folder of yours
+    Lessons(lessons::LessonsArguments),
     /// Follow the lookup of one direction step by step
     Probe(probe::ProbeArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
     Shots(shots::ShotsArguments),
+    /// Follow one pixel of a scene: every ray, hit, shadow test and lookup, and how its colour adds up
+    Trace(trace::TraceArguments),
     /// Write six corrected files, or print the corrected lookup
     Fix(fix::FixArguments),
 }
@@ -71,8 +77,10 @@ pub fn run() -> ExitCode {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),
+        Command::Lessons(arguments) => lessons::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
+        Command::Trace(arguments) => trace::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
     };
     exit_code(result)

@@ -72,7 +72,9 @@ pub(super) fn local_radiance<O: Observer>(
     };
     let (diffuse, highlight) = match material {
         Material::Normals => return own(normals::NORMAL_COLOUR, normals::colour(surface.shading_normal)),
-        Material::TextureCoordinates => return own(COORDINATES_COLOUR, coordinates_colour(surface.texture_coordinates)),
+        Material::TextureCoordinates => {
+            return own(COORDINATES_COLOUR, coordinates_colour(surface.texture_coordinates));
+        }
         Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
             return own("nothing that this integrator follows: black", Vec3::ZERO);
         }

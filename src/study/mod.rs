@@ -2,6 +2,8 @@
 
 pub mod comparison;
 pub mod metrics;
+mod pixel_trace;
 mod plane;
 
+pub use pixel_trace::PixelTrace;
 pub use plane::Plane;
