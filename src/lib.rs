@@ -31,6 +31,8 @@ pub mod study;
 
 pub mod validate;
 
+pub mod lessons;
+
 pub mod report;
 
 pub mod commands;

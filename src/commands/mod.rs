@@ -6,7 +6,9 @@ mod compare;
 mod converge;
 mod cross;
 mod fix;
+mod grade;
 mod interrupt;
+mod lessons;
 mod map_options;
 mod options;
 mod probe;
@@ -14,6 +16,7 @@ mod progress_bar;
 mod render;
 mod shots;
 mod stress;
+mod trace;
 
 use std::process::ExitCode;
 
@@ -55,12 +58,18 @@ enum Command {
     Converge(converge::ConvergeArguments),
     /// Draw a map unfolded, as the lookup shows it, with its seams
     Cross(cross::CrossArguments),
+    /// Find the fault in your own cube-map code from six of your renders
+    Grade(grade::GradeArguments),
+    /// List the lessons, show one, or start one in a folder of yours
+    Lessons(lessons::LessonsArguments),
     /// Follow the lookup of one direction step by step
     Probe(probe::ProbeArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
     Shots(shots::ShotsArguments),
     /// Measure on extreme inputs how far the program itself stays accurate
     Stress(stress::StressArguments),
+    /// Follow one pixel of a scene: every ray, hit, shadow test and lookup, and how its colour adds up
+    Trace(trace::TraceArguments),
     /// Write six corrected files, or print the corrected lookup
     Fix(fix::FixArguments),
 }
@@ -74,9 +83,12 @@ pub fn run() -> ExitCode {
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
+        Command::Grade(arguments) => grade::run(&arguments),
+        Command::Lessons(arguments) => lessons::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
         Command::Stress(arguments) => stress::run(&arguments),
+        Command::Trace(arguments) => trace::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
     };
     exit_code(result)

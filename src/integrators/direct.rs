@@ -4,6 +4,7 @@ use std::f32::consts::PI;
 
 use super::RayCounts;
 use super::normals;
+use super::observer::{Event, LightOutcome, Observer};
 use crate::lights::Light;
 use crate::materials::fresnel::reflect;
 use crate::materials::{Material, phong_lobe};
@@ -34,6 +35,13 @@ impl View {
         let visible = shading_normal.dot(direction) < 0.0;
         Self { side, normal, shading_normal: if visible { shading_normal } else { normal } }
     }
+
+    /// The hit as an observer is told of it.
+    pub fn hit(&self, surface: &Surface, ray: &Ray, distance: f64, transmittance: Vec3) -> Event {
+        let cosine = -ray.direction.dot(self.shading_normal);
+        let Self { side, shading_normal, .. } = *self;
+        Event::Hit { surface: *surface, side, shading_normal, distance, cosine, transmittance }
+    }
 }
 
 /// The ray from a surface towards a light; for lessons, with the mistake they ask for.
@@ -54,22 +62,36 @@ pub(super) fn coordinates_colour(place: DVec2) -> Vec3 {
     Vec3::new(fraction.x, fraction.y, 0.0)
 }
 
+/// What the colours that surfaces show by themselves are called.
+pub(super) const COORDINATES_COLOUR: &str = "texture coordinates as red and green";
+pub(super) const SHINES: &str = "shines by itself";
+
 /// The colour a surface shows by itself: debugging colours, or reflected light of all sources.
 #[inline(always)]
-pub(super) fn local_radiance(
+pub(super) fn local_radiance<O: Observer>(
     scene: &Scene,
     plan: &Plan,
     ray: &Ray,
     surface: &Surface,
     view: &View,
     counts: &mut RayCounts,
+    observer: &mut O,
 ) -> Vec3 {
     let material = &scene.materials[surface.material as usize];
+    let mut own = |what: &'static str, colour: Vec3| {
+        observer.note(|| Event::Own { what, colour });
+        colour
+    };
     let (diffuse, highlight) = match material {
-        Material::Normals => return normals::colour(surface.shading_normal),
-        Material::TextureCoordinates => return coordinates_colour(surface.texture_coordinates),
-        Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => return Vec3::ZERO,
-        Material::Light { radiance } => return if view.side == Side::Front { *radiance } else { Vec3::ZERO },
+        Material::Normals => return own(normals::NORMAL_COLOUR, normals::colour(surface.shading_normal)),
+        Material::TextureCoordinates => {
+            return own(COORDINATES_COLOUR, coordinates_colour(surface.texture_coordinates));
+        }
+        Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
+            return own("nothing that this integrator follows: black", Vec3::ZERO);
+        }
+        Material::Light { radiance } if view.side == Side::Front => return own(SHINES, *radiance),
+        Material::Light { .. } => return own("back of a light: black", Vec3::ZERO),
         Material::Lambert { colour } | Material::Coated { colour, .. } => {
             (colour.at(surface.texture_coordinates), None)
         }
@@ -82,21 +104,28 @@ pub(super) fn local_radiance(
     }
     let mirrored = reflect(ray.direction, view.shading_normal);
     let mut radiance = Vec3::ZERO;
-    for light in &scene.lights {
+    for (number, light) in scene.lights.iter().enumerate() {
+        let mut note = |outcome: LightOutcome| observer.note(|| Event::Light { number, outcome });
         if let Light::Ambient { radiance: ambient } = light {
             radiance += diffuse * *ambient;
+            note(LightOutcome::Ambient { contribution: diffuse * *ambient });
             continue;
         }
-        let Some(arriving) = light.illumination(surface.position) else { continue };
+        let Some(arriving) = light.illumination(surface.position) else {
+            note(LightOutcome::Unreached);
+            continue;
+        };
         let cosine = view.shading_normal.dot(arriving.to_light);
         // Light must reach the true surface from the side that is looked at.
         if cosine <= 0.0 || view.normal.dot(arriving.to_light) <= 0.0 {
+            note(LightOutcome::Behind);
             continue;
         }
+        let to_light = shadow_ray(scene.integrator.mistake, surface, view.side, arriving.to_light);
         if plan.shadow_rays {
-            let to_light = shadow_ray(scene.integrator.mistake, surface, view.side, arriving.to_light);
             counts.shadow += 1;
             if scene.shapes.occluded(&to_light, arriving.distance) {
+                note(LightOutcome::Blocked { ray: to_light, distance: arriving.distance });
                 continue;
             }
         }
@@ -104,7 +133,9 @@ pub(super) fn local_radiance(
         if let Some((specular, exponent)) = highlight {
             reflectance += specular * phong_lobe(mirrored.dot(arriving.to_light) as f32, exponent);
         }
-        radiance += reflectance * arriving.irradiance * cosine as f32;
+        let contribution = reflectance * arriving.irradiance * cosine as f32;
+        note(LightOutcome::Free { ray: to_light, distance: arriving.distance, cosine, contribution });
+        radiance += contribution;
     }
     radiance
 }

@@ -4,11 +4,13 @@ mod cost;
 mod direct;
 mod media;
 mod normals;
+mod observer;
 mod path;
 mod phong;
 mod whitted;
 
 pub use cost::RayCounts;
+pub use observer::{Blind, Event, LightOutcome, Observer, RayKind, Recorder};
 
 use crate::error::Result;
 use crate::materials::MediumStack;
@@ -52,14 +54,27 @@ impl<'a> Integrator<'a> {
     /// random decisions.
     #[inline]
     pub fn radiance(&self, ray: &Ray, media: &MediumStack, sampler: &mut PixelSampler, counts: &mut RayCounts) -> Vec3 {
+        self.observed_radiance(ray, media, sampler, counts, &mut Blind)
+    }
+
+    /// The same, watched.
+    #[inline]
+    pub fn observed_radiance<O: Observer>(
+        &self,
+        ray: &Ray,
+        media: &MediumStack,
+        sampler: &mut PixelSampler,
+        counts: &mut RayCounts,
+        observer: &mut O,
+    ) -> Vec3 {
         let Self { scene, plan, path } = self;
         counts.camera += 1;
         match plan.integrator {
-            IntegratorKind::Normals => normals::radiance(scene, ray),
-            IntegratorKind::Phong => phong::radiance(scene, plan, ray, counts),
-            IntegratorKind::Whitted => whitted::radiance(scene, plan, ray, media, sampler, counts),
+            IntegratorKind::Normals => normals::radiance(scene, ray, observer),
+            IntegratorKind::Phong => phong::radiance(scene, plan, ray, counts, observer),
+            IntegratorKind::Whitted => whitted::radiance(scene, plan, ray, media, sampler, counts, observer),
             IntegratorKind::Path => match path {
-                Some(tables) => path::radiance(scene, plan, tables, ray, media, sampler, counts),
+                Some(tables) => path::radiance(scene, plan, tables, ray, media, sampler, counts, observer),
                 None => Vec3::ZERO,
             },
         }

@@ -12,6 +12,7 @@
 use super::RayCounts;
 use super::direct::{View, local_radiance};
 use super::media::{Media, beyond, medium_before};
+use super::observer::{Event, Observer, RayKind};
 use crate::materials::fresnel::{boundary, reflect, refract};
 use crate::materials::{Material, MediumStack};
 use crate::math::{DVec3, Departure, Ray, Side, Vec3};
@@ -20,15 +21,18 @@ use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
 
 /// Radiance along a camera ray.
-pub(super) fn radiance(
+pub(super) fn radiance<O: Observer>(
     scene: &Scene,
     plan: &Plan,
     ray: &Ray,
     media: &MediumStack,
     sampler: &mut PixelSampler,
     counts: &mut RayCounts,
+    observer: &mut O,
 ) -> Vec3 {
-    let mut tracer = Tracer { scene, plan, media_of: Media { scene, absorption: plan.absorption }, sampler, counts };
+    let media_of = Media { scene, absorption: plan.absorption };
+    let mut tracer = Tracer { scene, plan, media_of, sampler, counts, observer };
+    tracer.observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
     tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media })
 }
 
@@ -54,16 +58,25 @@ struct Branch<'a> {
     media: &'a MediumStack,
 }
 
-struct Tracer<'a> {
+struct Tracer<'a, O> {
     scene: &'a Scene,
     plan: &'a Plan,
     media_of: Media<'a>,
     sampler: &'a mut PixelSampler,
     counts: &'a mut RayCounts,
+    observer: &'a mut O,
 }
 
-impl Tracer<'_> {
+impl<O: Observer> Tracer<'_, O> {
     fn radiance(&mut self, path: &Path<'_>) -> Vec3 {
+        let radiance = self.found_radiance(path);
+        self.observer.note(|| Event::End { radiance: Some(radiance) });
+        radiance
+    }
+
+    /// What the ray brings back.
+    #[inline(always)]
+    fn found_radiance(&mut self, path: &Path<'_>) -> Vec3 {
         let scene = self.scene;
         if path.media.is_nested() {
             let media = scene.shapes.settled(path.media, &path.ray);
@@ -75,17 +88,21 @@ impl Tracer<'_> {
             self.counts.environment += 1;
             let radiance = scene.environment.radiance(path.ray.direction);
             // An unbounded way through absorbing glass lets nothing through.
-            return self.media_of.transmittance(|| path.media.innermost(), f64::INFINITY) * radiance;
+            let transmittance = self.media_of.transmittance(|| path.media.innermost(), f64::INFINITY);
+            let direction = path.ray.direction;
+            self.observer.note(|| Event::Missed { direction, environment: radiance, transmittance });
+            return transmittance * radiance;
         };
         let surface = scene.shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
         let transmittance = self.media_of.transmittance(|| medium_before(path.media, &surface, &view), hit.t);
+        self.observer.note(|| view.hit(&surface, &path.ray, hit.t, transmittance));
         let radiance = match &scene.materials[surface.material as usize] {
             Material::Mirror { colour } if self.plan.reflection => {
                 self.reflected(path, &surface, &view, colour.at(surface.texture_coordinates), transmittance)
             }
             Material::Glass { .. } if self.plan.refraction => self.refracted(path, &surface, &view, transmittance),
-            _ => local_radiance(scene, self.plan, &path.ray, &surface, &view, self.counts),
+            _ => local_radiance(scene, self.plan, &path.ray, &surface, &view, self.counts, self.observer),
         };
         transmittance * radiance
     }
@@ -113,10 +130,17 @@ impl Tracer<'_> {
     fn refracted(&mut self, path: &Path<'_>, surface: &Surface, view: &View, transmittance: Vec3) -> Vec3 {
         let beyond = beyond(path.media, surface, view);
         let from = self.media_of.index_inside(medium_before(path.media, surface, view));
-        let relative_index = from / self.media_of.index_inside(beyond.innermost());
+        let towards = self.media_of.index_inside(beyond.innermost());
+        let relative_index = from / towards;
         let direction = path.ray.direction;
         let cos_incident = -direction.dot(view.shading_normal);
         let boundary = boundary(cos_incident, relative_index);
+        self.observer.note(|| Event::Fresnel {
+            index_before: from,
+            index_beyond: towards,
+            reflectance: boundary.reflectance,
+            cos_transmitted: boundary.cos_transmitted,
+        });
         let reflectance = Vec3::splat(boundary.reflectance as f32);
         let mut radiance = Vec3::ZERO;
         if self.plan.reflection && boundary.reflectance > 0.0 {
@@ -138,13 +162,16 @@ impl Tracer<'_> {
 
     /// Follows a branch, unless depth or weight end it.
     fn follow(&mut self, path: &Path<'_>, surface: &Surface, transmittance: Vec3, branch: Branch<'_>) -> Vec3 {
+        let kind = if branch.passes { RayKind::Refracted } else { RayKind::Reflected };
         if path.depth >= self.scene.integrator.depth {
             self.counts.cut_by_depth += 1;
+            self.observer.note(|| Event::CutByDepth { kind, depth: path.depth });
             return Vec3::ZERO;
         }
         let weight = path.weight * transmittance * branch.factor;
         let Some(survival) = self.survival(weight.max_element()) else {
             self.counts.cut_by_weight += 1;
+            self.observer.note(|| Event::CutByWeight { kind, weight: weight.max_element() });
             return Vec3::ZERO;
         };
         let count = if branch.passes { &mut self.counts.refracted } else { &mut self.counts.reflected };
@@ -152,7 +179,9 @@ impl Tracer<'_> {
         let departure = Departure { surface: surface.id, side: branch.side };
         let ray = Ray { origin: surface.position, direction: branch.direction, departure: Some(departure) };
         let next = Path { ray, depth: path.depth + 1, weight: weight / survival, media: branch.media };
-        branch.factor / survival * self.radiance(&next)
+        let factor = branch.factor / survival;
+        self.observer.note(|| Event::Ray { kind, ray, factor });
+        factor * self.radiance(&next)
     }
 
     /// Probability with which a branch of this weight is followed, if the dice let it live.

@@ -34,7 +34,23 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
+/// As [`write_atomically`], but a file that is there stays as it is: then nothing is written, and false is given back.
+pub fn write_if_absent(path: &Path, bytes: &[u8]) -> Result<bool> {
+    let failed = |error: std::io::Error| Error::new(format!("cannot write: {error}")).in_file(path);
+    let file = temporary_beside(path, bytes).map_err(failed)?;
+    match file.persist_noclobber(path) {
+        Ok(_) => Ok(true),
+        Err(error) if error.error.kind() == std::io::ErrorKind::AlreadyExists => Ok(false),
+        Err(error) => Err(failed(error.error)),
+    }
+}
+
 fn write_beside(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    temporary_beside(path, bytes)?.persist(path).map(|_| ()).map_err(|error| error.error)
+}
+
+/// A temporary file in the same folder, which is gone unless it is kept.
+fn temporary_beside(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::NamedTempFile> {
     let mut builder = tempfile::Builder::new();
     builder.prefix(".skycube-").suffix(".partial");
     #[cfg(unix)]
@@ -45,8 +61,7 @@ fn write_beside(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
     }
     let mut file = builder.tempfile_in(folder_of(path))?;
     file.write_all(bytes)?;
-    file.persist(path).map_err(|error| error.error)?;
-    Ok(())
+    Ok(file)
 }
 
 #[cfg(test)]

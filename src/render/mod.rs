@@ -16,4 +16,4 @@ pub use axis_shots::{AxisShot, front};
 pub use layers::Layers;
 pub use progress::{Progress, Silent};
 pub use progressive::{Budget, render_progressively};
-pub use renderer::{Renderer, Rendering, bake_face, render};
+pub use renderer::{PixelSample, Renderer, Rendering, bake_face, render};

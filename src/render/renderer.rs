@@ -9,9 +9,9 @@ use super::ray_source::RaySource;
 use super::tile::Tile;
 use crate::envmap::{Face, Lookup};
 use crate::error::{Error, Result};
-use crate::integrators::{Integrator, RayCounts};
+use crate::integrators::{Blind, Integrator, Observer, RayCounts};
 use crate::materials::MediumStack;
-use crate::math::DVec3;
+use crate::math::{DVec3, Ray, Vec3};
 use crate::picture::Raster;
 use crate::sampling::{FilteredPlace, PixelSampler, Sampling};
 use crate::scene::{Plan, Scene};
@@ -93,6 +93,22 @@ impl<'a> Renderer<'a> {
         Ok(())
     }
 
+    /// One sample of a pixel, watched; the picture does not change.
+    pub fn watch<O: Observer>(&self, pixel: [usize; 2], index: u32, observer: &mut O) -> PixelSample {
+        let Self { scene, integrator, source, media, sampling, centred, .. } = self;
+        let pass = Pass { scene, integrator, source, media, sampling: *sampling, centred: *centred, last: index + 1 };
+        pass.sample(pixel, index, &mut RayCounts::default(), observer)
+    }
+
+    /// What a pixel shows after samples that were taken one by one, in their order: the same bits as in the picture.
+    pub fn develop_pixel(&self, samples: &[PixelSample]) -> Vec3 {
+        let even = self.scene.sampling.filter.is_even();
+        let mut film = TileFilm::new(Tile { x: 0, y: 0, width: 1, height: 1 }, even, false);
+        samples.iter().for_each(|sample| film.add(0, sample.radiance, sample.place.weight));
+        film.samples = samples.len() as u32;
+        film.pixel(0)
+    }
+
     /// The picture so far.
     pub fn rendering(&self, stopped: bool) -> Rendering {
         let mut counts = RayCounts::default();
@@ -107,6 +123,15 @@ impl<'a> Renderer<'a> {
             left_out: self.integrator.left_out(),
         }
     }
+}
+
+/// One sample of a pixel.
+#[derive(Debug, Clone, Copy)]
+pub struct PixelSample {
+    pub ray: Ray,
+    /// The place in the pixel and what the sample counts.
+    pub place: FilteredPlace,
+    pub radiance: Vec3,
 }
 
 /// One pass over the picture.
@@ -145,13 +170,26 @@ impl Pass<'_, '_> {
     #[inline]
     fn expose_pixel(&self, film: &mut TileFilm, pixel: usize, [x, y]: [usize; 2]) {
         for index in film.samples..self.last {
-            let mut sampler = PixelSampler::chosen(self.sampling, x, y, index);
-            let (place, lens_place) = self.place(&mut sampler);
-            let ray = self.source.ray(x as f64 + place.across, y as f64 + place.down, lens_place);
-            let radiance = self.integrator.radiance(&ray, self.media, &mut sampler, &mut film.counts);
-            film.add(pixel, radiance, place.weight);
-            film.add_layers(pixel, radiance, || self.integrator.first_hit(&ray));
+            let sample = self.sample([x, y], index, &mut film.counts, &mut Blind);
+            film.add(pixel, sample.radiance, sample.place.weight);
+            film.add_layers(pixel, sample.radiance, || self.integrator.first_hit(&sample.ray));
         }
+    }
+
+    /// Takes one sample of a pixel.
+    #[inline(always)]
+    fn sample<O: Observer>(
+        &self,
+        [x, y]: [usize; 2],
+        index: u32,
+        counts: &mut RayCounts,
+        observer: &mut O,
+    ) -> PixelSample {
+        let mut sampler = PixelSampler::chosen(self.sampling, x, y, index);
+        let (place, lens_place) = self.place(&mut sampler);
+        let ray = self.source.ray(x as f64 + place.across, y as f64 + place.down, lens_place);
+        let radiance = self.integrator.observed_radiance(&ray, self.media, &mut sampler, counts, observer);
+        PixelSample { ray, place, radiance }
     }
 
     /// The places of a sample in its pixel and on the lens.

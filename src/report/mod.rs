@@ -19,7 +19,10 @@ mod cross_drawing;
 mod cross_layout;
 mod cross_legend;
 mod drawing;
+mod grade_json;
+mod grade_report;
 mod grouped;
+mod lessons_report;
 mod logarithmic_axis;
 mod plot_backend;
 mod plot_legend;
@@ -31,6 +34,9 @@ mod shots_report;
 mod stress_plot;
 mod stress_report;
 mod text_drawing;
+mod trace_events;
+mod trace_json;
+mod trace_report;
 
 pub use check_report::{CheckReport, failed_check_json};
 pub use code::{CodeLanguage, lookup_code};
@@ -45,6 +51,8 @@ pub use converge_table::converge_csv;
 pub use cross_drawing::{CrossInput, draw_cross};
 pub use cross_layout::{CrossCell, CrossEdge, CrossLayout, Side};
 pub use drawing::Drawing;
+pub use grade_report::GradeReport;
+pub use lessons_report::{lesson_list, lesson_page, lesson_started};
 pub use probe_report::ProbeReport;
 pub use render_report::RenderReport;
 pub use seam_mark::SeamMark;
@@ -52,6 +60,7 @@ pub use shots_report::ShotsReport;
 pub use stress_plot::StressPlot;
 pub use stress_report::StressReport;
 pub use text_drawing::{Anchor, draw_text, text_path, text_width};
+pub use trace_report::TraceReport;
 
 #[cfg(test)]
 mod tests;

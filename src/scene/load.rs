@@ -27,6 +27,8 @@ pub struct Scene {
     pub output: OutputSettings,
     pub environment: Environment,
     pub materials: Vec<Material>,
+    /// What the scene calls them; those of a mesh file's own are called after the file.
+    pub material_names: Vec<String>,
     pub lights: Vec<Light>,
     pub shapes: Aggregate,
     /// Every file the scene was read from: none of them may be written to.
@@ -59,6 +61,7 @@ impl Scene {
             output: OutputSettings::default(),
             environment,
             materials: Vec::new(),
+            material_names: Vec::new(),
             lights: Vec::new(),
             shapes: Aggregate::new(Vec::new()),
             sources: Vec::new(),
@@ -90,6 +93,7 @@ impl Scene {
         for table in tables(&mut root, "shapes")? {
             primitives.push(shapes.read(table)?);
         }
+        let material_names = shapes.names_of_materials();
         let mut materials = std::mem::take(&mut shapes.materials);
         material::prepare_for_each_other(&mut materials);
         for primitive in &mut primitives {
@@ -106,7 +110,19 @@ impl Scene {
         let shapes =
             if integrator.hierarchy { Aggregate::new(primitives) } else { Aggregate::without_hierarchy(primitives) };
         let environment = surroundings.environment;
-        Ok(Self { camera, samples, sampling, integrator, output, environment, materials, lights, shapes, sources })
+        Ok(Self {
+            camera,
+            samples,
+            sampling,
+            integrator,
+            output,
+            environment,
+            materials,
+            material_names,
+            lights,
+            shapes,
+            sources,
+        })
     }
 }
 

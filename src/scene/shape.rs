@@ -40,6 +40,13 @@ impl<'a> ShapeReader<'a> {
         self.materials.push(material);
     }
 
+    /// The name of each material, in the order of their numbers.
+    pub(super) fn names_of_materials(&self) -> Vec<String> {
+        let mut names = vec!["of the mesh file".to_owned(); self.materials.len()];
+        self.material_names.iter().for_each(|(name, &number)| names[number as usize].clone_from(name));
+        names
+    }
+
     /// Reads one shape.
     pub(super) fn read(&mut self, mut table: Table) -> Result<Primitive> {
         #[derive(Clone, Copy)]

@@ -4,7 +4,9 @@
 pub mod comparison;
 pub mod converge;
 pub mod metrics;
+mod pixel_trace;
 mod plane;
 pub mod stress;
 
+pub use pixel_trace::PixelTrace;
 pub use plane::Plane;

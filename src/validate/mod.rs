@@ -20,6 +20,7 @@ mod display;
 mod edge;
 mod evidence;
 mod foreign;
+pub mod grade;
 mod handedness;
 mod notes;
 mod pair_cost;

@@ -15,9 +15,10 @@ mod vertex;
 mod weights;
 
 use super::RayCounts;
-use super::direct::{View, coordinates_colour};
+use super::direct::{COORDINATES_COLOUR, SHINES, View, coordinates_colour};
 use super::media::{Media, medium_before};
 use super::normals;
+use super::observer::{Event, LightOutcome, Observer, RayKind};
 use crate::error::Result;
 use crate::materials::{Material, MediumStack};
 use crate::math::{DVec3, Ray, Side, Vec3};
@@ -54,7 +55,8 @@ impl PathTables {
 }
 
 /// Radiance along a camera ray.
-pub(super) fn radiance(
+#[expect(clippy::too_many_arguments, reason = "once a camera ray; they differ in life")]
+pub(super) fn radiance<O: Observer>(
     scene: &Scene,
     plan: &Plan,
     tables: &PathTables,
@@ -62,6 +64,7 @@ pub(super) fn radiance(
     media: &MediumStack,
     sampler: &mut PixelSampler,
     counts: &mut RayCounts,
+    observer: &mut O,
 ) -> Vec3 {
     let mut walk = Walk {
         scene,
@@ -71,10 +74,13 @@ pub(super) fn radiance(
         sampler,
         counts,
         radiance: Vec3::ZERO,
+        observer,
     };
+    walk.observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
     let mut path =
         Path { ray: *ray, media: *media, throughput: Vec3::ONE, bounces: 0, arrival: Arrival::Camera, caustics: None };
     while walk.step(&mut path) {}
+    walk.observer.note(|| Event::End { radiance: None });
     walk.radiance
 }
 
@@ -103,7 +109,7 @@ enum Arrival<'a> {
     Focused { density: f64, towards: DVec3, caustics: Option<Directions<'a>> },
 }
 
-struct Walk<'a> {
+struct Walk<'a, O> {
     scene: &'a Scene,
     plan: &'a Plan,
     tables: &'a PathTables,
@@ -112,9 +118,17 @@ struct Walk<'a> {
     counts: &'a mut RayCounts,
     /// What was found so far.
     radiance: Vec3,
+    observer: &'a mut O,
 }
 
-impl<'a> Walk<'a> {
+impl<'a, O: Observer> Walk<'a, O> {
+    /// Adds light to the pixel.
+    #[inline(always)]
+    fn add(&mut self, what: &'static str, contribution: Vec3) {
+        self.observer.note(|| Event::Added { what, contribution });
+        self.radiance += contribution;
+    }
+
     /// Follows the path to the next surface and chooses how to leave it. False at the path's end.
     fn step(&mut self, path: &mut Path<'a>) -> bool {
         let scene = self.scene;
@@ -125,13 +139,16 @@ impl<'a> Walk<'a> {
         };
         let surface = scene.shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
-        path.throughput *= self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
+        let transmittance = self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
+        path.throughput *= transmittance;
+        self.observer.note(|| view.hit(&surface, &path.ray, hit.t, transmittance));
         let material = &scene.materials[surface.material as usize];
         if !self.take_own_light(path, material, &surface, &view) {
             return false;
         }
         if path.bounces >= scene.integrator.depth {
             self.counts.cut_by_depth += 1;
+            self.observer.note(|| Event::CutByDepth { kind: RayKind::Scattered, depth: path.bounces });
             return false;
         }
         let media = path.media;
@@ -151,24 +168,29 @@ impl<'a> Walk<'a> {
         let weight = self.weight_of(path.arrival, || self.tables.lights.environment_density(direction));
         if weight > 0.0 {
             let transmittance = self.media_of.transmittance(|| path.media.innermost(), f64::INFINITY);
-            self.radiance += path.throughput * transmittance * self.scene.environment.radiance(direction) * weight;
+            let environment = self.scene.environment.radiance(direction);
+            self.observer.note(|| Event::Missed { direction, environment, transmittance });
+            self.add("environment, met by chance", path.throughput * transmittance * environment * weight);
+        } else {
+            self.observer.note(|| Event::Nothing);
         }
     }
 
     /// The light that a surface sends out by itself. False if that is all it does.
     fn take_own_light(&mut self, path: &Path, material: &Material, surface: &Surface, view: &View) -> bool {
-        let colour = match material {
+        let (what, colour) = match material {
             Material::Light { .. } if view.side == Side::Back => return false,
             Material::Light { radiance } => {
                 let Ray { origin, direction, .. } = path.ray;
                 let lights = &self.tables.lights;
-                *radiance * self.weight_of(path.arrival, || lights.shape_density(origin, direction, surface))
+                let weight = self.weight_of(path.arrival, || lights.shape_density(origin, direction, surface));
+                (SHINES, *radiance * weight)
             }
-            Material::Normals => normals::colour(surface.shading_normal),
-            Material::TextureCoordinates => coordinates_colour(surface.texture_coordinates),
+            Material::Normals => (normals::NORMAL_COLOUR, normals::colour(surface.shading_normal)),
+            Material::TextureCoordinates => (COORDINATES_COLOUR, coordinates_colour(surface.texture_coordinates)),
             _ => return true,
         };
-        self.radiance += path.throughput * colour;
+        self.add(what, path.throughput * colour);
         false
     }
 
@@ -200,14 +222,21 @@ impl<'a> Walk<'a> {
         }
         let Some(ray) = vertex.ray_towards(light.direction) else { return };
         self.counts.shadow += 1;
-        let Some((radiance, distance)) = self.tables.lights.radiance(self.scene, &ray, &light) else { return };
         let weight = match self.plan.strategy {
             Strategy::Light => 1.0,
             _ => power_heuristic(light.density, evaluation.density),
         };
+        let found = self.tables.lights.radiance(self.scene, &ray, &light);
+        self.observer.note(|| Event::SampledLight {
+            ray,
+            density: light.density,
+            weight,
+            radiance: found.map(|(radiance, _)| radiance),
+        });
+        let Some((radiance, distance)) = found else { return };
         let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray).innermost(), distance);
         let share = evaluation.value * (f64::from(weight) / light.density) as f32;
-        self.radiance += path.throughput * share * transmittance * radiance;
+        self.add("light, by a ray sent to it", path.throughput * share * transmittance * radiance);
     }
 
     /// The light of points and directions, which no random ray can hit.
@@ -215,7 +244,7 @@ impl<'a> Walk<'a> {
         if !self.plan.direct_light {
             return;
         }
-        for light in &self.scene.lights {
+        for (number, light) in self.scene.lights.iter().enumerate() {
             let Some(arriving) = light.illumination(vertex.surface.position) else { continue };
             let towards = vertex.frame.to_local(arriving.to_light);
             let value = vertex.scattering.evaluate(vertex.towards_viewer, towards).value;
@@ -226,11 +255,18 @@ impl<'a> Walk<'a> {
             if self.plan.shadow_rays {
                 self.counts.shadow += 1;
                 if self.scene.shapes.occluded(&ray, arriving.distance) {
+                    let outcome = LightOutcome::Blocked { ray, distance: arriving.distance };
+                    self.observer.note(|| Event::Light { number, outcome });
                     continue;
                 }
             }
             let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray).innermost(), arriving.distance);
-            self.radiance += path.throughput * value * transmittance * arriving.irradiance;
+            let contribution = path.throughput * value * transmittance * arriving.irradiance;
+            self.observer.note(|| {
+                let (distance, cosine) = (arriving.distance, towards.z);
+                Event::Light { number, outcome: LightOutcome::Free { ray, distance, cosine, contribution } }
+            });
+            self.add("light from a single direction", contribution);
         }
     }
 
@@ -244,6 +280,8 @@ impl<'a> Walk<'a> {
         let evaluation = vertex.scattering.evaluate(vertex.towards_viewer, vertex.frame.to_local(direction));
         let Some(ray) = vertex.ray_towards(direction).filter(|_| evaluation.value != Vec3::ZERO) else { return };
         let weight = f64::from(power_heuristic(density, evaluation.density));
+        let factor = evaluation.value * (weight / density) as f32;
+        self.observer.note(|| Event::Ray { kind: RayKind::Focused, ray, factor });
         self.follow_focused(Path {
             ray,
             media: vertex.media_of(&ray),
@@ -252,6 +290,7 @@ impl<'a> Walk<'a> {
             arrival: Arrival::Camera,
             caustics: None,
         });
+        self.observer.note(|| Event::End { radiance: None });
     }
 
     /// Follows a ray through mirrors and smooth glass, at least one, to a light source.
@@ -269,7 +308,9 @@ impl<'a> Walk<'a> {
             };
             let surface = scene.shapes.surface(&path.ray, &hit);
             let view = View::new(&surface, path.ray.direction);
-            path.throughput *= self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
+            let transmittance = self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
+            path.throughput *= transmittance;
+            self.observer.note(|| view.hit(&surface, &path.ray, hit.t, transmittance));
             let material = &scene.materials[surface.material as usize];
             if material.shines() && path.bounces > start {
                 self.take_own_light(&path, material, &surface, &view);
@@ -291,6 +332,12 @@ impl<'a> Walk<'a> {
         let [x, y, choice, survival] = self.sampler.four().map(f64::from);
         let Some(sample) = vertex.scattering.sample(vertex.towards_viewer, [x, y], choice) else { return false };
         let Some((ray, media)) = vertex.departure(&sample) else { return false };
+        self.observer.note(|| Event::Scattered {
+            specular: sample.specular,
+            transmitted: sample.transmitted,
+            density: sample.density,
+            weight: sample.weight,
+        });
         let count = if sample.transmitted { &mut self.counts.refracted } else { &mut self.counts.reflected };
         *count += 1;
         path.arrival = match path.arrival {
@@ -320,6 +367,7 @@ impl<'a> Walk<'a> {
         }
         if uniform >= f64::from(carried) {
             self.counts.cut_by_weight += 1;
+            self.observer.note(|| Event::CutByWeight { kind: RayKind::Scattered, weight: carried });
             return false;
         }
         path.throughput /= carried;

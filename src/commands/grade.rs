@@ -1,0 +1,117 @@
+//! `skycube grade`: the fault in a student's cube-map code, from six of their renders.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+
+use super::Outcome;
+use super::options::read_lookup;
+use crate::envmap::source::Skybox;
+use crate::envmap::{Face, Preset, SignedAxis};
+use crate::error::{Error, Result};
+use crate::picture::{Picture, read};
+use crate::render::AxisShot;
+use crate::report::GradeReport;
+use crate::validate::grade::{GradeVerdict, Grader, ShotFrame};
+use crate::validate::load;
+
+#[derive(Debug, Args)]
+#[command(
+    after_help = "Exit codes: 0 right (or undecided), 1 faults found, 2 could not run. `skycube shots` prints the \
+                        camera to copy."
+)]
+pub struct GradeArguments {
+    /// The folder of your six pictures, posx.png to negz.png, named after the direction of the camera; any format
+    shots: PathBuf,
+    /// The map your tracer read: a folder, a zip, a cross or strip picture, an OpenEXR cube
+    #[arg(long, value_name = "MAP")]
+    map: PathBuf,
+    /// The lookup that your code should have: a preset or a TOML file
+    #[arg(long, default_value = "course")]
+    lookup: String,
+    /// The axis that points upwards in your world [default: +y for opengl and humus-y-up, else +z]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    world_up: Option<SignedAxis>,
+    /// Print the grade as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Grades and prints.
+pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
+    let lookup = read_lookup(&arguments.lookup)?;
+    let world_up = arguments.world_up.unwrap_or_else(|| usual_up(&arguments.lookup));
+    let skybox = Skybox::open(&arguments.map)?;
+    let shots = read_shots(&arguments.shots)?;
+    let map = load(&skybox, lookup)?;
+    let frames =
+        AxisShot::all(world_up).map(|shot| ShotFrame { face: shot.direction, right: shot.right(), up: shot.up });
+    let grade = Grader::new(&map, frames)?.grade(&shots);
+    let name =
+        arguments.map.file_name().map_or_else(|| arguments.map.display().to_string(), |n| n.display().to_string());
+    let report =
+        GradeReport { grade: &grade, map: &name, lookup: &arguments.lookup, v_origin: lookup.v_origin(), world_up };
+    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    let clean = matches!(grade.verdict(), GradeVerdict::Right | GradeVerdict::Undecided);
+    Ok(if clean { Outcome::Clean } else { Outcome::Faults })
+}
+
+fn usual_up(lookup: &str) -> SignedAxis {
+    match Preset::named(lookup) {
+        Some(Preset::Opengl | Preset::HumusYUp) => SignedAxis::POS_Y,
+        _ => SignedAxis::POS_Z,
+    }
+}
+
+/// The six shots in the order of [`Face::ALL`].
+fn read_shots(folder: &Path) -> Result<[Picture; 6]> {
+    let entries = std::fs::read_dir(folder).map_err(|error| {
+        Error::new(format!("cannot read the folder of shots: {error}"))
+            .in_file(folder)
+            .expected("a folder with posx.png, negx.png, posy.png, negy.png, posz.png and negz.png")
+    })?;
+    let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file()).collect();
+    files.sort();
+    let mut shots = Vec::new();
+    for face in Face::ALL {
+        shots.push(read_shot(folder, face, &files)?);
+    }
+    Ok(shots.try_into().expect("there are six faces"))
+}
+
+fn read_shot(folder: &Path, face: Face, files: &[PathBuf]) -> Result<Picture> {
+    let name = face.name();
+    let named = |path: &&PathBuf| path.file_stem().is_some_and(|stem| stem.eq_ignore_ascii_case(name));
+    let path = match files.iter().filter(named).collect::<Vec<_>>()[..] {
+        [path] => path,
+        [] => {
+            return Err(Error::new(format!("the shot {name} is missing"))
+                .in_file(folder)
+                .expected(format!("{name}.png (or .jpg, .exr, ...), the picture along {}", face.signed_name())));
+        }
+        [first, second, ..] => {
+            return Err(Error::new(format!(
+                "two files are the shot {name}: {} and {}",
+                first.display(),
+                second.display()
+            ))
+            .in_file(folder)
+            .help("leave one of them"));
+        }
+    };
+    let picture = read(path)?;
+    if picture.width() != picture.height() {
+        return Err(Error::new(format!("the shot is {} x {} pixels", picture.width(), picture.height()))
+            .in_file(path)
+            .expected("a square picture of a camera that is 90° wide and high"));
+    }
+    if picture.width() < SMALLEST {
+        return Err(Error::new(format!("the shot is {} pixels wide: too small to tell anything", picture.width()))
+            .in_file(path)
+            .expected(format!("at least {SMALLEST} x {SMALLEST} pixels")));
+    }
+    Ok(picture)
+}
+
+/// Smaller shots tell too little.
+const SMALLEST: usize = 16;

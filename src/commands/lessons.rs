@@ -1,0 +1,71 @@
+//! `skycube lessons`: lists the lessons, shows one, starts one.
+
+use std::path::PathBuf;
+
+use clap::{Args, Subcommand};
+
+use super::Outcome;
+use crate::error::Result;
+use crate::lessons::{Language, default_folder, find, read_all, start};
+use crate::report::{lesson_list, lesson_page, lesson_started};
+
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub struct LessonsArguments {
+    /// Show this lesson: its goal and its commands
+    #[arg(value_name = "NN")]
+    number: Option<u32>,
+    #[command(flatten)]
+    options: LessonOptions,
+    #[command(subcommand)]
+    command: Option<LessonCommand>,
+}
+
+#[derive(Debug, Args)]
+struct LessonOptions {
+    /// The language of the lessons
+    #[arg(long, value_enum, default_value = "en")]
+    language: Language,
+    /// The folder that the lessons lie in [default: that of the clone]
+    #[arg(long, value_name = "FOLDER")]
+    folder: Option<PathBuf>,
+}
+
+#[derive(Debug, Subcommand)]
+enum LessonCommand {
+    /// Copy a lesson's text, scenes and expected pictures into a folder of yours; nothing is overwritten
+    Start(StartArguments),
+}
+
+#[derive(Debug, Args)]
+struct StartArguments {
+    /// The lesson
+    #[arg(value_name = "NN")]
+    number: u32,
+    /// Where to copy it [default: a folder with the lesson's name, in this folder]
+    #[arg(short, long, value_name = "FOLDER")]
+    output: Option<PathBuf>,
+    #[command(flatten)]
+    options: LessonOptions,
+}
+
+/// Lists, shows or starts.
+pub fn run(arguments: &LessonsArguments) -> Result<Outcome> {
+    let options = match &arguments.command {
+        Some(LessonCommand::Start(start)) => &start.options,
+        None => &arguments.options,
+    };
+    let lessons = read_all(&options.folder.clone().unwrap_or_else(default_folder))?;
+    let text = match (&arguments.command, arguments.number) {
+        (Some(LessonCommand::Start(arguments)), _) => {
+            let lesson = find(&lessons, arguments.number)?;
+            let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(lesson.name()));
+            let written = start(lesson, &folder)?;
+            lesson_started(lesson, &written, &folder, options.language)
+        }
+        (None, Some(number)) => lesson_page(find(&lessons, number)?, options.language),
+        (None, None) => lesson_list(&lessons, options.language),
+    };
+    super::print(text);
+    Ok(Outcome::Clean)
+}

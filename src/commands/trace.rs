@@ -1,0 +1,74 @@
+//! `skycube trace`: one pixel of a scene, ray by ray.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use super::Outcome;
+use super::options::{PictureSize, SceneOverrides};
+use crate::error::{Error, Result};
+use crate::report::TraceReport;
+use crate::scene::{Plan, Scene};
+use crate::study::PixelTrace;
+
+#[derive(Debug, Args)]
+pub struct TraceArguments {
+    /// The scene, a TOML file
+    scene: PathBuf,
+    /// Column and row of the pixel, counted from the top left corner, (0, 0)
+    #[arg(long, value_name = "X,Y", value_parser = parse_pixel)]
+    pixel: [usize; 2],
+    /// Which sample of the pixel to follow, counted from 0
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    sample: u32,
+    /// Picture size in pixels, such as 640x480
+    #[arg(long, value_name = "WxH")]
+    size: Option<PictureSize>,
+    #[command(flatten)]
+    overrides: SceneOverrides,
+    /// Print the trace as JSON
+    #[arg(long)]
+    json: bool,
+}
+
+/// Follows the pixel and prints every step.
+pub fn run(arguments: &TraceArguments) -> Result<Outcome> {
+    let mut scene = arguments.overrides.read_scene(&arguments.scene)?;
+    if let Some(PictureSize(size)) = arguments.size {
+        scene.camera = scene.camera.resized(size);
+    }
+    check(arguments, &scene)?;
+    let plan = Plan::new(&scene);
+    let pool = arguments.overrides.thread_pool()?;
+    let trace = pool.install(|| PixelTrace::of(&scene, &plan, arguments.pixel, arguments.sample))?;
+    let file = arguments.scene.display().to_string();
+    let report = TraceReport { trace: &trace, scene: &scene, plan: &plan, file: &file };
+    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    Ok(Outcome::Clean)
+}
+
+/// An error if there is no such pixel or sample.
+fn check(arguments: &TraceArguments, scene: &Scene) -> Result<()> {
+    let ([x, y], [width, height]) = (arguments.pixel, scene.camera.size());
+    if x >= width || y >= height {
+        return Err(Error::new(format!("there is no pixel ({x}, {y})")).at_key("--pixel").expected(format!(
+            "at most ({}, {}): the picture is {width} x {height}",
+            width - 1,
+            height - 1
+        )));
+    }
+    if arguments.sample >= scene.samples {
+        return Err(Error::new(format!("there is no sample {}", arguments.sample))
+            .at_key("--sample")
+            .expected(format!("at most {}: a pixel has {} samples", scene.samples - 1, scene.samples)));
+    }
+    Ok(())
+}
+
+fn parse_pixel(text: &str) -> std::result::Result<[usize; 2], String> {
+    let numbers: Option<Vec<usize>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    match numbers.as_deref() {
+        Some(&[x, y]) => Ok([x, y]),
+        _ => Err("expected column and row, such as 480,300".to_owned()),
+    }
+}

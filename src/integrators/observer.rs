@@ -1,0 +1,146 @@
+//! Watching an integrator at work: what `skycube trace` prints.
+//!
+//! Integrators are written once, over an [`Observer`]. [`Blind`] sees nothing, and everything about it compiles away;
+//! [`Recorder`] keeps every event. Events are made by closures, so that a blind observer does not pay for making them.
+
+use crate::math::{DVec3, Ray, Side, Vec3};
+use crate::shapes::Surface;
+
+/// Somebody who may watch an integrator.
+pub trait Observer {
+    /// Something happened.
+    fn note(&mut self, event: impl FnOnce() -> Event);
+}
+
+/// Sees nothing.
+pub struct Blind;
+
+impl Observer for Blind {
+    #[inline(always)]
+    fn note(&mut self, _: impl FnOnce() -> Event) {}
+}
+
+/// Keeps everything.
+#[derive(Debug, Default)]
+pub struct Recorder {
+    pub events: Vec<Event>,
+}
+
+impl Observer for Recorder {
+    fn note(&mut self, event: impl FnOnce() -> Event) {
+        self.events.push(event());
+    }
+}
+
+/// Why a ray is traced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum RayKind {
+    Camera,
+    Reflected,
+    Refracted,
+    /// The next ray of a random path.
+    Scattered,
+    /// Through mirrors and glass towards a light, where focused light was found before.
+    Focused,
+}
+
+/// What happens to a light at a surface.
+#[derive(Debug, Clone, Copy)]
+pub enum LightOutcome {
+    /// Ambient light, unshadowed.
+    Ambient {
+        contribution: Vec3,
+    },
+    /// The light sends nothing here: outside the cone of a spot.
+    Unreached,
+    /// The surface faces away from it, or the material reflects nothing from there.
+    Behind,
+    /// Something is in between.
+    Blocked {
+        ray: Ray,
+        distance: f64,
+    },
+    Free {
+        ray: Ray,
+        distance: f64,
+        cosine: f64,
+        contribution: Vec3,
+    },
+}
+
+/// A step of an integrator. What is between `Ray` and its `End` belongs to that ray.
+#[derive(Debug, Clone, Copy)]
+pub enum Event {
+    /// A ray sets out; what it finds counts `factor` for what sent it out.
+    Ray {
+        kind: RayKind,
+        ray: Ray,
+        factor: Vec3,
+    },
+    /// It hit nothing and took the environment; `transmittance` is what is left of it through glass.
+    Missed {
+        direction: DVec3,
+        environment: Vec3,
+        transmittance: Vec3,
+    },
+    /// It hit nothing, and nothing is taken: black.
+    Nothing,
+    Hit {
+        surface: Surface,
+        side: Side,
+        shading_normal: DVec3,
+        distance: f64,
+        cosine: f64,
+        transmittance: Vec3,
+    },
+    /// The colour that a surface shows by itself.
+    Own {
+        what: &'static str,
+        colour: Vec3,
+    },
+    /// Number of the light in the scene.
+    Light {
+        number: usize,
+        outcome: LightOutcome,
+    },
+    /// What Fresnel's equations give at a smooth glass.
+    Fresnel {
+        index_before: f64,
+        index_beyond: f64,
+        reflectance: f64,
+        cos_transmitted: Option<f64>,
+    },
+    /// A branch is not followed: its depth.
+    CutByDepth {
+        kind: RayKind,
+        depth: u32,
+    },
+    /// A branch is not followed by a random decision.
+    CutByWeight {
+        kind: RayKind,
+        weight: f32,
+    },
+    /// A light with an extent was drawn, and counts with the weight of multiple importance sampling.
+    SampledLight {
+        ray: Ray,
+        density: f64,
+        weight: f32,
+        radiance: Option<Vec3>,
+    },
+    /// A direction was drawn to go on.
+    Scattered {
+        specular: bool,
+        transmitted: bool,
+        density: f64,
+        weight: Vec3,
+    },
+    /// Light found was added to the pixel: what the path carried to here times what arrives.
+    Added {
+        what: &'static str,
+        contribution: Vec3,
+    },
+    /// The ray is done: what it brought back; `None` where the path adds to the pixel instead.
+    End {
+        radiance: Option<Vec3>,
+    },
+}

@@ -1,0 +1,108 @@
+//! One lesson, read from its `lesson.toml`.
+
+use std::path::{Component, Path, PathBuf};
+
+use serde::Deserialize;
+
+use crate::error::{Error, Result};
+
+/// The file that makes a folder a lesson.
+pub(super) const FILE: &str = "lesson.toml";
+
+/// The language that lessons are shown in.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
+pub enum Language {
+    /// English
+    #[default]
+    En,
+    /// Czech
+    Cs,
+}
+
+/// A text in both languages.
+#[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Bilingual {
+    pub en: String,
+    pub cs: String,
+}
+
+/// A lesson.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Lesson {
+    pub folder: PathBuf,
+    pub number: u32,
+    pub title: Bilingual,
+    pub goal: Bilingual,
+    /// What one must have before.
+    pub needs: Bilingual,
+    /// What a student gets, relative to the folder.
+    pub files: Vec<PathBuf>,
+    /// Command lines, each beginning with `skycube `.
+    pub commands: Vec<String>,
+}
+
+/// The keys of the file.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Keys {
+    number: u32,
+    title: Bilingual,
+    goal: Bilingual,
+    needs: Bilingual,
+    files: Vec<PathBuf>,
+    commands: Vec<String>,
+}
+
+impl Bilingual {
+    pub fn in_language(&self, language: Language) -> &str {
+        match language {
+            Language::En => &self.en,
+            Language::Cs => &self.cs,
+        }
+    }
+}
+
+impl Lesson {
+    /// Reads the lesson of a folder.
+    pub fn read(folder: PathBuf) -> Result<Self> {
+        let file = folder.join(FILE);
+        let text = std::fs::read_to_string(&file)
+            .map_err(|error| Error::new(format!("cannot read the file: {error}")).in_file(&file))?;
+        let keys: Keys = toml::from_str(&text).map_err(|error| {
+            let line = error.span().map_or(1, |span| text[..span.start].matches('\n').count() + 1);
+            Error::new(error.message().replace('\n', "; ")).in_file(&file).at_line(line)
+        })?;
+        if let Some(outside) = keys.files.iter().find(|path| !stays_inside(path)) {
+            return Err(Error::new(format!("{} lies outside the lesson", outside.display()))
+                .in_file(&file)
+                .at_key("files")
+                .expected("paths relative to the lesson's folder"));
+        }
+        if let Some(command) = keys.commands.iter().find(|command| !command.starts_with("skycube ")) {
+            return Err(Error::new(format!("found \"{command}\""))
+                .in_file(&file)
+                .at_key("commands")
+                .expected("command lines that begin with \"skycube \""));
+        }
+        let Keys { number, title, goal, needs, files, commands } = keys;
+        Ok(Self { folder, number, title, goal, needs, files, commands })
+    }
+
+    /// The name of its folder: `01-camera-rays`.
+    pub fn name(&self) -> String {
+        self.folder.file_name().map_or_else(|| format!("{:02}", self.number), |name| name.display().to_string())
+    }
+
+    /// The README in a language.
+    pub fn readme(&self, language: Language) -> PathBuf {
+        self.folder.join(match language {
+            Language::En => "README.md",
+            Language::Cs => "README.cs.md",
+        })
+    }
+}
+
+fn stays_inside(path: &Path) -> bool {
+    path.components().all(|component| matches!(component, Component::Normal(_))) && !path.as_os_str().is_empty()
+}

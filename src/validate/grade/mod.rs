@@ -1,0 +1,168 @@
+//! Grading: what a student's own code does, from six pictures it took along the axes, pixels alone.
+//!
+//! 1. [`thumbnail`] brings shots and images to one small size, [`tone`] takes out gamma and exposure.
+//! 2. [`field_of_view`] finds how wide the camera saw.
+//! 3. [`matching`] tries six images laid eight ways for each shot, and says which the pixels exclude.
+//! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`misfit`] what a shot looks like that shows no image.
+
+mod explanation;
+mod field_of_view;
+mod matching;
+mod misfit;
+mod placement;
+mod thumbnail;
+mod tone;
+
+pub use explanation::{Alternative, FaceGrade};
+pub use misfit::Misfit;
+pub use placement::{CameraFault, Placement, ShotFrame};
+
+use crate::envmap::{CubeMap, Face, Lookup};
+use crate::error::Result;
+use crate::picture::Picture;
+use explanation::{Evidence, Reading};
+use field_of_view::Views;
+use matching::{Candidate, ImageLevels, Screen, best, candidates, mean_square, possible, variance};
+use placement::on_screen;
+use thumbnail::{Codes, Middle};
+
+/// Cells of a side in which shots and images are compared.
+const SIDE: usize = 64;
+/// Cells in which it is judged whether a shot shows an image at all: aliasing averages out.
+const COARSE: usize = 16;
+/// Most of the variance that may be left unexplained.
+const UNEXPLAINED: f64 = 0.4;
+/// What may be left unexplained in any case, as a mean square of codes.
+const NEGLIGIBLE: f64 = 0.03 * 0.03;
+/// Variance of codes below which a picture is of one colour.
+const FLAT: f64 = 0.005 * 0.005;
+/// Side of the largest picture that is worked on.
+const LARGEST: usize = 512;
+
+/// What is wrong, in one word.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum GradeVerdict {
+    Right,
+    Lookup,
+    Camera,
+    CameraAndLookup,
+    /// A shot fits no laying of any image.
+    OutOfRange,
+    /// The pixels decide nothing.
+    Undecided,
+}
+
+/// What the student's code does.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Grade {
+    pub camera: CameraFault,
+    /// The angle it saw, in degrees; `None` for 90.
+    pub field_of_view: Option<f64>,
+    /// In the order of [`Face::ALL`].
+    pub faces: [FaceGrade; 6],
+    pub alternative: Option<Alternative>,
+}
+
+/// A map, and how the shots of it should be taken: ready to grade any number of them.
+pub struct Grader {
+    lookup: Lookup,
+    frames: [ShotFrame; 6],
+    images: [Codes; 6],
+}
+
+impl Grader {
+    /// `map` is under the lookup that the code should have, `frames` are in the order of [`Face::ALL`]. An error tells that
+    /// an image of the map cannot be decoded.
+    pub fn new(map: &CubeMap, frames: [ShotFrame; 6]) -> Result<Self> {
+        let mut images = Vec::new();
+        for face in Face::ALL {
+            images.push(limited(Codes::of_picture(map.picture(face)?)));
+        }
+        let images = images.try_into().expect("there are six faces");
+        Ok(Self { lookup: *map.lookup(), frames, images })
+    }
+
+    /// Grades shots in the order of [`Face::ALL`].
+    pub fn grade(&self, shots: &[Picture; 6]) -> Grade {
+        let views = self.views(shots);
+        let scale = views.scale();
+        let images = views.levels(scale, SIDE);
+        let readings = std::array::from_fn(|index| read_shot(&views, &images, index, scale));
+        let evidence = Evidence { lookup: &self.lookup, frames: &self.frames, readings: &readings };
+        let camera = evidence.camera();
+        Grade {
+            camera,
+            field_of_view: (scale != 1.0).then(|| field_of_view::degrees(scale)),
+            faces: evidence.under(camera),
+            alternative: evidence.alternative(camera),
+        }
+    }
+
+    fn views(&self, shots: &[Picture; 6]) -> Views<'_> {
+        let row = |frame: ShotFrame| self.lookup.row(frame.face);
+        let v_origin = self.lookup.v_origin();
+        Views {
+            images: &self.images,
+            shots: std::array::from_fn(|index| limited(Codes::of_picture(&shots[index]))),
+            screens: self.frames.map(|frame| Screen { laying: on_screen(row(frame), frame.right, frame.up), v_origin }),
+            expected: self.frames.map(|frame| row(frame).image),
+        }
+    }
+}
+
+/// What a shot may show.
+fn read_shot(views: &Views, images: &ImageLevels, index: usize, scale: f64) -> Reading {
+    let shot = views.shot(index, scale, SIDE);
+    let candidates = candidates(images, views.expected[index], &shot, views.screens[index], SIDE);
+    let possible = if variance(&shot) < FLAT {
+        flat_placements(&candidates, images, &shot)
+    } else if shows_nothing(&best(&candidates).fitted, &shot) {
+        Vec::new()
+    } else {
+        possible(&candidates, &shot, SIDE)
+    };
+    let misfit = possible.is_empty().then(|| Misfit::of(&views.shots[index]));
+    Reading { possible, misfit }
+}
+
+impl Grade {
+    pub fn verdict(&self) -> GradeVerdict {
+        let camera = self.camera != CameraFault::NONE || self.field_of_view.is_some();
+        let lookup = self.faces.iter().any(FaceGrade::is_wrong);
+        let nothing = self.faces.iter().any(|face| face.misfit.is_some());
+        match (camera, lookup, nothing) {
+            (true, false, false) => GradeVerdict::Camera,
+            (true, ..) => GradeVerdict::CameraAndLookup,
+            (false, true, _) => GradeVerdict::Lookup,
+            (false, false, true) => GradeVerdict::OutOfRange,
+            _ if self.faces.iter().any(FaceGrade::is_decided) => GradeVerdict::Right,
+            _ => GradeVerdict::Undecided,
+        }
+    }
+}
+
+/// A large picture reduced, a small one as it is.
+fn limited(codes: Codes) -> Codes {
+    if codes.width.max(codes.height) <= LARGEST { codes } else { codes.reduced(Middle(1.0), LARGEST) }
+}
+
+/// True if the best explanation leaves most of a shot unexplained.
+fn shows_nothing(fitted: &[f32], shot: &[f32]) -> bool {
+    let coarse = |values: &[f32]| {
+        let codes = Codes { width: SIDE, height: SIDE, values: values.to_vec() };
+        codes.reduced(Middle(1.0), COARSE).values
+    };
+    let (fitted, shot) = (coarse(fitted), coarse(shot));
+    let left = mean_square(&fitted, &shot);
+    left > NEGLIGIBLE && left > UNEXPLAINED * variance(&shot)
+}
+
+/// What a shot of one colour may show: images of one colour, and anything where it is as bright as can be and may be cut
+/// off.
+fn flat_placements(candidates: &[Candidate], images: &ImageLevels, shot: &[f32]) -> Vec<Placement> {
+    let white = shot.iter().all(|&value| value > 0.98);
+    let flat = images.0.each_ref().map(|image| variance(image.values()) < FLAT);
+    let shown = candidates.iter().map(|candidate| candidate.placement);
+    shown.filter(|placement| white || flat[placement.image.index()]).collect()
+}

@@ -1,0 +1,108 @@
+//! Lessons as a student meets them: listed, shown, copied, never overwritten.
+
+use std::path::Path;
+use std::process::Command;
+
+use skycube::lessons::{default_folder, read_all};
+
+const LESSON: &str = r#"
+number = 3
+title = { en = "Shadows", cs = "Stíny" }
+goal = { en = "See shadows.", cs = "Vidět stíny." }
+needs = { en = "Lesson 02.", cs = "Lekce 02." }
+files = ["README.md", "maps/posx.txt"]
+commands = ["skycube render a.toml"]
+"#;
+
+fn skycube(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap();
+    (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+/// A folder with one lesson in `lessons`.
+fn folder(lesson: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    let own = folder.path().join("lessons/03-shadows");
+    std::fs::create_dir_all(own.join("maps")).unwrap();
+    std::fs::write(own.join("lesson.toml"), lesson).unwrap();
+    std::fs::write(own.join("README.md"), "read me").unwrap();
+    std::fs::write(own.join("maps/posx.txt"), "x").unwrap();
+    folder
+}
+
+#[test]
+fn lessons_are_listed_and_shown_in_both_languages() {
+    let folder = folder(LESSON);
+    let run = |more: &[&str]| skycube(folder.path(), &[&["lessons"], more, &["--folder", "lessons"]].concat());
+    let (code, list, _) = run(&[]);
+    assert_eq!(code, Some(0));
+    assert!(list.starts_with("03  Shadows  needs: Lesson 02.\n"), "{list}");
+    let (_, list, _) = run(&["--language", "cs"]);
+    assert!(list.starts_with("03  Stíny  potřebuje: Lekce 02.\n"), "{list}");
+    let (_, page, _) = run(&["03"]);
+    assert!(page.contains("goal: See shadows.") && page.contains("    skycube render a.toml\n"), "{page}");
+    let (code, _, error) = run(&["4"]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("there is no lesson 4") && error.contains("one of 3"), "{error}");
+}
+
+#[test]
+fn a_lesson_is_copied_once_and_nothing_is_overwritten() {
+    let folder = folder(LESSON);
+    let run =
+        |more: &[&str]| skycube(folder.path(), &[&["lessons", "start", "3", "--folder", "lessons"], more].concat());
+    let (code, text, error) = run(&["-o", "mine"]);
+    assert_eq!(code, Some(0), "{error}");
+    assert!(text.contains("skycube render a.toml"), "{text}");
+    let copied = |name: &str| std::fs::read_to_string(folder.path().join("mine").join(name)).unwrap();
+    assert_eq!((copied("README.md").as_str(), copied("maps/posx.txt").as_str()), ("read me", "x"));
+    assert!(!folder.path().join("mine/lesson.toml").exists());
+    // The student's own work stays, and nothing else is written beside it.
+    std::fs::write(folder.path().join("mine/maps/posx.txt"), "my own").unwrap();
+    std::fs::remove_file(folder.path().join("mine/README.md")).unwrap();
+    let (code, _, error) = run(&["-o", "mine"]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("posx.txt: this file is there already"), "{error}");
+    assert_eq!(copied("maps/posx.txt"), "my own");
+    assert!(!folder.path().join("mine/README.md").exists());
+    let (code, ..) = run(&[]);
+    assert_eq!(code, Some(0));
+    assert!(folder.path().join("03-shadows/README.md").exists());
+}
+
+#[test]
+fn what_is_wrong_with_a_lesson_is_named() {
+    let cases = [
+        (LESSON.replace("needs =", "need ="), "lesson.toml:5: unknown field `need`"),
+        (LESSON.replace("cs = \"Stíny\"", "de = \"Schatten\""), "lesson.toml:3: unknown field `de`"),
+        (LESSON.replace("README.md", "../secret"), "../secret lies outside the lesson"),
+        (LESSON.replace("skycube render", "cargo run"), "command lines that begin with \"skycube \""),
+        (LESSON.replace("number = 3", "number = -3"), "lesson.toml:2:"),
+    ];
+    for (text, expected) in cases {
+        let folder = folder(&text);
+        let (code, _, error) = skycube(folder.path(), &["lessons", "--folder", "lessons"]);
+        assert_eq!(code, Some(2));
+        assert!(error.contains(expected), "{expected}: {error}");
+    }
+    let empty = tempfile::tempdir().unwrap();
+    let (code, _, error) = skycube(empty.path(), &["lessons", "--folder", "."]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("there are no lessons in this folder"), "{error}");
+}
+
+/// The lessons of this repository, if they hold their `lesson.toml`: every file they name is there.
+#[test]
+fn the_lessons_of_the_course_are_whole() {
+    let folder = default_folder();
+    let there = std::fs::read_dir(&folder).unwrap().flatten().any(|entry| entry.path().join("lesson.toml").exists());
+    if !there {
+        println!("skipped: no lesson.toml in {}", folder.display());
+        return;
+    }
+    for lesson in read_all(&folder).unwrap() {
+        for file in &lesson.files {
+            assert!(lesson.folder.join(file).is_file(), "{}: {}", lesson.name(), file.display());
+        }
+    }
+}

@@ -1,0 +1,144 @@
+//! A traced pixel is the pixel that `render` writes, bit for bit, and what the trace tells adds up to it.
+
+use std::path::Path;
+use std::process::Command;
+
+use skycube::integrators::{Event, LightOutcome};
+use skycube::math::Vec3;
+use skycube::render::{Silent, render};
+use skycube::scene::{IntegratorKind, Plan, Scene};
+use skycube::study::PixelTrace;
+
+const LESSON: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/glass-and-mirror.toml");
+
+const KINDS: [IntegratorKind; 4] =
+    [IntegratorKind::Normals, IntegratorKind::Phong, IntegratorKind::Whitted, IntegratorKind::Path];
+
+fn scene(kind: IntegratorKind, samples: u32) -> Scene {
+    let mut scene = Scene::read(Path::new(LESSON)).unwrap();
+    scene.camera = scene.camera.resized([12, 8]);
+    scene.integrator.kind = kind;
+    scene.samples = samples;
+    scene
+}
+
+fn bits(colour: Vec3) -> [u32; 3] {
+    colour.to_array().map(f32::to_bits)
+}
+
+/// What a ray brought back, computed anew from what the trace tells of it: factors times what branches brought back,
+/// contributions of lights, colours. `None` at the end of the ray's events.
+fn radiance_of(events: &mut std::slice::Iter<Event>) -> Vec3 {
+    let (mut radiance, mut through) = (Vec3::ZERO, Vec3::ONE);
+    while let Some(event) = events.next() {
+        match *event {
+            Event::Hit { transmittance, .. } => through = transmittance,
+            Event::Missed { environment, transmittance, .. } => (radiance, through) = (environment, transmittance),
+            Event::Own { colour, .. } => radiance = colour,
+            Event::Light { outcome: LightOutcome::Ambient { contribution }, .. }
+            | Event::Light { outcome: LightOutcome::Free { contribution, .. }, .. } => radiance += contribution,
+            Event::Ray { factor, .. } => radiance += factor * radiance_of(events),
+            Event::End { radiance: told } => {
+                let found = through * radiance;
+                assert_eq!(told.map(bits), Some(bits(found)), "the ray's result is not what it found");
+                return found;
+            }
+            _ => {}
+        }
+    }
+    panic!("the ray has no end");
+}
+
+#[test]
+fn a_traced_pixel_is_the_rendered_one() {
+    for kind in KINDS {
+        for samples in [1, 5] {
+            let scene = scene(kind, samples);
+            let plan = Plan::new(&scene);
+            let rendered = render(&scene, &plan, &Silent).unwrap().raster;
+            for (x, y) in [(0, 0), (3, 5), (6, 4), (2, 4), (8, 4), (9, 3), (11, 7), (5, 3)] {
+                let trace = PixelTrace::of(&scene, &plan, [x, y], samples - 1).unwrap();
+                assert_eq!(bits(trace.colour), bits(rendered.pixel(x, y)), "{kind:?} {samples} ({x}, {y})");
+            }
+        }
+    }
+}
+
+#[test]
+fn what_the_trace_tells_adds_up() {
+    for kind in KINDS {
+        let scene = scene(kind, 2);
+        let plan = Plan::new(&scene);
+        let mut branches = 0;
+        for (x, y) in (0..12).flat_map(|x| (0..8).map(move |y| (x, y))) {
+            let trace = PixelTrace::of(&scene, &plan, [x, y], 1).unwrap();
+            let radiance = trace.samples[1].radiance;
+            let mut events = trace.events.iter();
+            assert!(matches!(events.next(), Some(Event::Ray { .. })));
+            branches += trace.events.iter().filter(|event| matches!(event, Event::Ray { .. })).count() - 1;
+            if kind == IntegratorKind::Path {
+                let mut sum = Vec3::ZERO;
+                for event in events {
+                    if let Event::Added { contribution, .. } = event {
+                        sum += *contribution;
+                    }
+                }
+                assert_eq!(bits(sum), bits(radiance), "({x}, {y})");
+            } else {
+                assert_eq!(bits(radiance_of(&mut events)), bits(radiance), "{kind:?} ({x}, {y})");
+                assert!(events.next().is_none());
+            }
+        }
+        println!("{kind:?}: {branches} branches followed");
+        assert!(kind != IntegratorKind::Whitted || branches > 50);
+    }
+}
+
+fn skycube(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap();
+    (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+#[test]
+fn the_command_tells_the_colour_that_the_picture_holds() {
+    let folder = tempfile::tempdir().unwrap();
+    let size = ["--size", "24x16", "--samples", "3"];
+    for kind in ["normals", "phong", "whitted", "path"] {
+        let more = [&size[..], &["--integrator", kind]].concat();
+        let (code, _, error) = skycube(folder.path(), &[&["render", LESSON, "-o", "a.exr"], &more[..]].concat());
+        assert_eq!(code, Some(0), "{error}");
+        let picture = skycube::picture::read(&folder.path().join("a.exr")).unwrap();
+        for (x, y) in [(4, 9), (12, 7), (17, 9)] {
+            let pixel = format!("{x},{y}");
+            let arguments = [&["trace", LESSON, "--pixel", &pixel, "--json"], &more[..]].concat();
+            let (code, json, error) = skycube(folder.path(), &arguments);
+            assert_eq!(code, Some(0), "{error}");
+            let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+            let told: Vec<u32> =
+                json["colour"].as_array().unwrap().iter().map(|v| (v.as_f64().unwrap() as f32).to_bits()).collect();
+            assert_eq!(told, bits(picture.texel(x, y)), "{kind} {pixel}");
+        }
+    }
+}
+
+#[test]
+fn the_tree_reads_well_and_errors_are_clear() {
+    let folder = tempfile::tempdir().unwrap();
+    let arguments = ["trace", LESSON, "--size", "24x16", "--samples", "2", "--pixel", "4,9"];
+    let (code, text, _) = skycube(folder.path(), &arguments);
+    println!("{text}");
+    assert_eq!(code, Some(0));
+    for part in
+        ["camera ray from", "material \"glass\" (glass)", "Fresnel, index 1 to 1.5", "  refracted ray x ", "pixel = "]
+    {
+        assert!(text.contains(part), "{part}: {text}");
+    }
+    let (_, path, _) = skycube(folder.path(), &[&arguments[..], &["--integrator", "path"]].concat());
+    println!("{path}");
+    let (code, _, error) = skycube(folder.path(), &["trace", LESSON, "--size", "24x16", "--pixel", "24,9"]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("there is no pixel (24, 9)"), "{error}");
+    let (code, _, error) = skycube(folder.path(), &["trace", LESSON, "--pixel", "4,9", "--sample", "16"]);
+    assert_eq!(code, Some(2));
+    assert!(error.contains("a pixel has 16 samples"), "{error}");
+}
