@@ -30,10 +30,10 @@ pub struct StressReport<'a> {
 type Row = [String; 7];
 
 /// What the columns are called.
-const HEADINGS: [&str; 7] = ["case", "what is swept", "within the bound", "bound", "worst", "with", ""];
+const HEADINGS: [&str; 7] = ["case", "what is swept", "within bound", "bound", "worst", "with", ""];
 
 /// Longest text of the column of inputs.
-const INPUT_WIDTH: usize = 28;
+const INPUT_WIDTH: usize = 24;
 
 impl StressReport<'_> {
     /// The report for machines.
@@ -103,7 +103,7 @@ fn row(case: &Case) -> Row {
         case.range().map_or("nowhere".to_owned(), range),
         bound.trim_end().to_owned(),
         short(worst.error),
-        worst.input.chars().take(INPUT_WIDTH).collect(),
+        if worst.error == 0.0 { "-".to_owned() } else { worst.input.chars().take(INPUT_WIDTH).collect() },
         match case.verdict() {
             Verdict::Holds => "holds",
             Verdict::Ends => "ends",

@@ -43,7 +43,7 @@ fn rendering_warns_of_what_lies_outside_and_of_nothing_else() {
     let folder = tempfile::tempdir().unwrap();
     let scene = |radius: &str, place: &str| {
         format!(
-            "[camera]\nposition = [0, -5, 1]\ntarget = [0, 0, 0]\nsize = [4, 4]\n[materials.grey]\nkind = \"lambert\"\n\
+            "[camera]\nposition = [0, -5, 1]\ntarget = [0, 0, 0]\nsize = [4, 4]\n[materials.grey]\nkind = \"lambert\"\ncolour = 0.5\n\
              [[shapes]]\nkind = \"sphere\"\ncentre = {place}\nradius = {radius}\nmaterial = \"grey\"\n"
         )
     };

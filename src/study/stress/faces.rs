@@ -14,7 +14,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         name: "texels",
         swept: "texels along a face",
         error: "place that the bilinear filter reads, in texels",
-        unit: "texels",
+        unit: "texel",
         bound: 1.0 / 256.0,
         promised: FACE_SIZE.range,
         sweep: texels,

@@ -136,7 +136,7 @@ fn black(_: Effort) -> Vec<Measurement> {
             let of_map = sampler.sample(place).map(|(direction, density)| off(sampler.density(direction), density));
             worst.max(even).max(of_map.unwrap_or(f64::INFINITY))
         });
-        Measurement::new(radiance, worst, "constant, and as a cube map")
+        Measurement::new(radiance, worst, "constant and cube map")
     };
     let nothing = EnvironmentSampler::new(&even(0.0)).expect("nothing to decode");
     let drawn = strata().any(|place| nothing.sample(place).is_some()) || nothing.density(DVec3::X) != 0.0;

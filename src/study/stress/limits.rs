@@ -57,7 +57,7 @@ pub const ROUGHNESS: Limit = Limit { figure: "the roughness", range: Range::new(
 
 /// Area of a light source over the square of its distance.
 pub const LIGHT_AREA: Limit =
-    Limit { figure: "the area of the light", range: Range::new(1e-6, 1e12), case: "small-light" };
+    Limit { figure: "the area of the light", range: Range::new(1e-6, f64::INFINITY), case: "small-light" };
 
 /// Texels along the side of a face.
 pub const FACE_SIZE: Limit = Limit { figure: "the side of a face", range: Range::new(1.0, 16_384.0), case: "texels" };

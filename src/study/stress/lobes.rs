@@ -58,7 +58,7 @@ fn white_materials(roughness: f64) -> Vec<(&'static str, Material, f64)> {
         ("metal", Material::Metal(Arc::new(metal)), 1.0),
         ("coat", Material::Coated { coat, colour }, 1.0),
         ("glass", glass(), 1.0 / 1.5),
-        ("glass from inside", glass(), 1.5),
+        ("inner glass", glass(), 1.5),
     ]
 }
 

@@ -26,7 +26,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
     },
     Subject {
         group: Group::Optics,
-        name: "fresnel-critical",
+        name: "critical-angle",
         swept: "angle off the critical, rad",
         error: ENERGY,
         unit: "ulp",
@@ -113,7 +113,7 @@ fn worst_angle(
         let (cosine, index) = draw(random);
         (error(cosine, index), (cosine, index))
     });
-    Measurement::new(magnitude, worst, format!("cos {cosine:.1e}, n1/n2 {index:.2e}"))
+    Measurement::new(magnitude, worst, format!("cos {cosine:.1e}, n1/n2 {index:.1e}"))
 }
 
 /// Cosines over nine decades from grazing to upright.

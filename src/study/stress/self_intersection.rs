@@ -36,11 +36,11 @@ const fn subject(name: &'static str, swept: &'static str, sweep: fn(Effort) -> V
 }
 
 pub(super) const SUBJECTS: &[Subject] = &[
-    subject("self-sphere", "coordinate / size of a sphere", |effort| sweep(effort, Kind::Sphere)),
-    subject("self-ellipsoid", "coordinate / size of an ellipsoid", |effort| sweep(effort, Kind::Ellipsoid)),
-    subject("self-box", "coordinate / size of a box", |effort| sweep(effort, Kind::Box)),
-    subject("self-flat", "coordinate / size of a rectangle", |effort| sweep(effort, Kind::Flat)),
-    subject("self-mesh", "coordinate / size of a mesh", |effort| sweep(effort, Kind::Mesh)),
+    subject("self-sphere", "coordinate / size, sphere", |effort| sweep(effort, Kind::Sphere)),
+    subject("self-ellipsoid", "coordinate / size, ellipsoid", |effort| sweep(effort, Kind::Ellipsoid)),
+    subject("self-box", "coordinate / size, box", |effort| sweep(effort, Kind::Box)),
+    subject("self-flat", "coordinate / size, rectangle", |effort| sweep(effort, Kind::Flat)),
+    subject("self-mesh", "coordinate / size, mesh", |effort| sweep(effort, Kind::Mesh)),
 ];
 
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -73,7 +73,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
     Subject {
         group: Group::Shapes,
         name: "coordinates",
-        swept: "coordinate of a shape of size 1",
+        swept: "coordinate, shape of size 1",
         error: "hit point on sphere, ellipsoid, box, in units of the scene",
         unit: "units",
         bound: 1e-6,
@@ -93,8 +93,8 @@ pub(super) const SUBJECTS: &[Subject] = &[
     Subject {
         group: Group::Shapes,
         name: "transforms",
-        swept: "scale along one axis, either sign",
-        error: "hit point on ellipsoid and box, in f32 ulp of the larger of distance and size",
+        swept: "scale along an axis",
+        error: "hit point on ellipsoid and box, one scale of either sign, in f32 ulp of the larger of distance and size",
         unit: "ulp",
         bound: 4.0,
         promised: SCALE.range,
@@ -264,7 +264,7 @@ fn transforms(effort: Effort) -> Vec<Measurement> {
             let far = (target - origin).length();
             (hit_error(&shape, &Ray::new(origin, (target - origin) / far)) / ulp_f32(far.max(size)), (name, other))
         });
-        Measurement::new(scale, error, format!("{name}, scales {scale:.0e} {other:.0e} 1"))
+        Measurement::new(scale, error, format!("{name} {scale:.0e} x {other:.0e} x 1"))
     };
     decades(-10, 10).map(of_scale).collect()
 }
