@@ -300,14 +300,14 @@ fn a_wrong_camera_is_told_from_a_wrong_lookup() {
     for photographs in maps() {
         let decided = RIGHT.grade(&photographs).faces.iter().all(FaceGrade::is_decided);
         let mut row = Row::default();
-        for screen in 1..8 {
+        for (screen, formulas) in FORMULAS.into_iter().enumerate().skip(1) {
             let student = Student { screen, ..RIGHT.varied(screen) };
             let grade = student.grade(&photographs);
             if !decided {
                 continue;
             }
             assert_eq!(grade.verdict(), GradeVerdict::Camera, "{} {screen} {grade:?}", photographs.name);
-            assert_eq!(grade.camera.laying.formulas(), FORMULAS[screen], "{}", photographs.name);
+            assert_eq!(grade.camera.laying.formulas(), formulas, "{}", photographs.name);
             assert!(matches!(grade.alternative, Some(Alternative::Lookup(_))));
             row.check(&student, &photographs, &grade);
         }
