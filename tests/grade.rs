@@ -170,7 +170,11 @@ impl Student {
             (1.0, 2.0, 1.0),
             (2.2, 0.5, 1.0),
         ];
-        self.size = if number % 37 == 36 { 512 } else { SIZES[number % 4] };
+        self.size = match number {
+            36 => 512,
+            44 => 1024,
+            _ => SIZES[number % 4],
+        };
         self.tone = TONES[number / 2 % 8];
         self.bilinear = number / 3 % 2 == 1;
         self
