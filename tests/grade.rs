@@ -170,7 +170,11 @@ impl Student {
             (1.0, 2.0, 1.0),
             (2.2, 0.5, 1.0),
         ];
-        self.size = if number % 37 == 36 { 512 } else { SIZES[number % 4] };
+        self.size = match number {
+            36 => 512,
+            44 => 1024,
+            _ => SIZES[number % 4],
+        };
         self.tone = TONES[number / 2 % 8];
         self.bilinear = number / 3 % 2 == 1;
         self
@@ -300,14 +304,14 @@ fn a_wrong_camera_is_told_from_a_wrong_lookup() {
     for photographs in maps() {
         let decided = RIGHT.grade(&photographs).faces.iter().all(FaceGrade::is_decided);
         let mut row = Row::default();
-        for screen in 1..8 {
+        for (screen, formulas) in FORMULAS.into_iter().enumerate().skip(1) {
             let student = Student { screen, ..RIGHT.varied(screen) };
             let grade = student.grade(&photographs);
             if !decided {
                 continue;
             }
             assert_eq!(grade.verdict(), GradeVerdict::Camera, "{} {screen} {grade:?}", photographs.name);
-            assert_eq!(grade.camera.laying.formulas(), FORMULAS[screen], "{}", photographs.name);
+            assert_eq!(grade.camera.laying.formulas(), formulas, "{}", photographs.name);
             assert!(matches!(grade.alternative, Some(Alternative::Lookup(_))));
             row.check(&student, &photographs, &grade);
         }

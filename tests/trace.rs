@@ -70,7 +70,9 @@ fn what_the_trace_tells_adds_up() {
         let scene = scene(kind, 2);
         let plan = Plan::new(&scene);
         let mut branches = 0;
-        for (x, y) in (0..12).flat_map(|x| (0..8).map(move |y| (x, y))) {
+        // Every path trace builds its tables anew.
+        let step = if kind == IntegratorKind::Path { 5 } else { 1 };
+        for (x, y) in (0..12).flat_map(|x| (0..8).map(move |y| (x, y))).step_by(step) {
             let trace = PixelTrace::of(&scene, &plan, [x, y], 1).unwrap();
             let radiance = trace.samples[1].radiance;
             let mut events = trace.events.iter();

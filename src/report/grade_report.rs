@@ -102,7 +102,7 @@ impl fmt::Display for GradeReport<'_> {
             "shots of {} by your code, which should have the lookup {} (world up {})",
             self.map, self.lookup, self.world_up
         )?;
-        writeln!(formatter, "\nshot   sees     image    reads        ")?;
+        writeln!(formatter, "\nshot   sees     image    reads")?;
         let mut faces: Vec<&FaceGrade> = self.grade.faces.iter().collect();
         faces.sort_by_key(|face| face.shot);
         for face in faces {
