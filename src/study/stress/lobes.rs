@@ -130,8 +130,8 @@ fn by_roughness(measure: impl Fn(&(&'static str, Material, f64), f64, f64) -> f6
         for material in &white_materials(roughness) {
             for cosine in [1.0, 0.7, 0.3, 0.03] {
                 let error = measure(material, roughness, cosine);
-                if !(error <= worst.error) {
-                    let error = if error.is_nan() { f64::INFINITY } else { error };
+                let error = if error.is_nan() { f64::INFINITY } else { error };
+                if error > worst.error {
                     worst = Measurement::new(roughness, error, format!("{}, cos {cosine}", material.0));
                 }
             }
