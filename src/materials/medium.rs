@@ -65,6 +65,8 @@ impl MediumStack {
         if let Some(place) = self.media[..depth].iter().rposition(|entered| entered.shape == shape) {
             self.media.copy_within(place + 1..depth, place);
             self.depth -= 1;
+            // Equal stacks are equal throughout.
+            self.media[usize::from(self.depth)] = Medium::default();
         }
         self
     }
