@@ -221,22 +221,28 @@ impl Walk {
 
     /// Compares what the commands rendered with what was expected.
     fn compare_pictures(&self) {
-        for scene in scenes(&self.lesson) {
-            let expected_file = self.folder.join(format!("expected-{scene}.jpg"));
-            let rendered = picture::read(&self.copy.path().join(format!("{scene}.png"))).unwrap();
-            let encoded = as_expected(&rendered);
-            if std::env::var_os("UPDATE_LESSONS").is_some() {
-                std::fs::write(&expected_file, &encoded).unwrap();
-            }
-            let mine = picture::decode(&encoded, Path::new("mine.jpg")).unwrap();
-            let expected = picture::read(&expected_file).unwrap();
-            let difference = mean_difference(&mine, &expected);
-            if difference > TOLERANCE {
-                let drawn = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-{scene}-difference.png"));
-                draw_comparison(&Comparison::of(&rendered, &expected)).write(&drawn).unwrap();
-                panic!("{scene}: differs by {difference:.2} of 255, see {}", drawn.display());
-            }
+        let differences: Vec<String> =
+            scenes(&self.lesson).into_iter().filter_map(|scene| self.differs(scene)).collect();
+        assert!(differences.is_empty(), "{}", differences.join("\n"));
+    }
+
+    /// How the picture of a scene differs from the expected one, if it does. A drawing of it is left in `target`.
+    fn differs(&self, scene: &str) -> Option<String> {
+        let expected_file = self.folder.join(format!("expected-{scene}.jpg"));
+        let rendered = self.rendered(scene);
+        let encoded = as_expected(&rendered);
+        if std::env::var_os("UPDATE_LESSONS").is_some() {
+            std::fs::write(&expected_file, &encoded).unwrap();
         }
+        let mine = picture::decode(&encoded, Path::new("mine.jpg")).unwrap();
+        let expected = picture::read(&expected_file).unwrap();
+        let difference = mean_difference(&mine, &expected);
+        if difference <= TOLERANCE {
+            return None;
+        }
+        let drawn = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("lesson-{scene}-difference.png"));
+        draw_comparison(&Comparison::of(&rendered, &expected)).write(&drawn).unwrap();
+        Some(format!("{scene}: differs by {difference:.2} of 255, see {}", drawn.display()))
     }
 
     /// The picture of a scene as the commands rendered it.
