@@ -144,7 +144,10 @@ impl Comparison {
             T::value_variants().iter().map(|&value| setting(value)).collect()
         }
         let (aspect, settings) = match self {
-            Comparison::Strategies => (Aspect::Strategy, all(Setting::Strategy)),
+            // `auto` is one of these three.
+            Comparison::Strategies => {
+                (Aspect::Strategy, [Strategy::Bsdf, Strategy::Light, Strategy::Mis].map(Setting::Strategy).to_vec())
+            }
             Comparison::Samplers => (Aspect::Sampler, all(Setting::Sampler)),
             Comparison::Filters => (Aspect::PixelFilter, all(Setting::PixelFilter)),
             Comparison::Lookups => (Aspect::EnvironmentFilter, all(Setting::EnvironmentFilter)),
