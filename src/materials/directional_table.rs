@@ -73,8 +73,7 @@ impl DirectionalTable {
     #[inline]
     pub fn at(&self, cosine: f64) -> f64 {
         let (cell, place) = self.octaves.find(cosine);
-        let (low, high) = (self.values[cell], self.values[cell + 1]);
-        low + (high - low) * place
+        interpolated(self.values[cell], self.values[cell + 1], place)
     }
 
     /// The integral of `2 mu` times the value.
@@ -106,9 +105,14 @@ impl DirectionalTable {
     #[inline]
     pub fn at_with_lobe(&self, cosine: f64) -> (f64, f64) {
         let (cell, place) = self.octaves.find(cosine);
-        let (low, high) = (self.values[cell], self.values[cell + 1]);
-        (low + (high - low) * place, self.level[cell])
+        (interpolated(self.values[cell], self.values[cell + 1], place), self.level[cell])
     }
+}
+
+/// Between two nodes. No share of light is negative, which rounding and foreseen nodes may be by 1e-10.
+#[inline]
+fn interpolated(low: f64, high: f64, place: f64) -> f64 {
+    (low + (high - low) * place).max(0.0)
 }
 
 /// Values at all nodes: computed where the function bends, and between them from a cubic through computed ones where that

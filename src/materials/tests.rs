@@ -1,8 +1,8 @@
 //! The tables against quadratures that are as good as exact, on cosines that are no nodes.
 
 use super::conductor::MetalReflectance;
-use super::{Coat, Metal, RoughGlass};
-use crate::math::Vec3;
+use super::{Coat, Material, Metal, RoughGlass};
+use crate::math::{DVec2, DVec3, Vec3};
 
 const ROUGHNESSES: [f64; 9] = [1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0];
 
@@ -33,6 +33,22 @@ fn tables_are_exact_to_a_ten_thousandth() {
         for (name, (error, cosine)) in errors {
             println!("{name}, roughness {roughness}: {error:.1e} at the cosine {cosine:.4}");
             assert!(error < 1e-4, "{name}, roughness {roughness}: {error:.1e} at the cosine {cosine:.4}");
+        }
+    }
+}
+
+#[test]
+fn rough_glass_sends_no_negative_light_at_the_horizon() {
+    let roughness = 0.080_375_205_230_998_73_f64;
+    let rough = Some(RoughGlass::new(1.5, roughness).into());
+    let glass = Material::Glass { index: 1.5, absorption: Vec3::ZERO, rough };
+    for cosine in [9.662_194_643_758_287e-11_f64, 1e-9, 1e-12] {
+        let view = DVec3::new(((1.0 - cosine) * (1.0 + cosine)).sqrt(), 0.0, cosine);
+        for step in 1..100 {
+            let depth = f64::from(step) / 100.0;
+            let light = DVec3::new(0.0, -(1.0 - depth * depth).sqrt(), -depth);
+            let evaluation = glass.scattering(DVec2::ZERO, 1.0 / 1.5).unwrap().evaluate(view, light);
+            assert!(evaluation.value.min_element() >= 0.0 && evaluation.density >= 0.0, "{cosine} {evaluation:?}");
         }
     }
 }
