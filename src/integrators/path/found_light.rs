@@ -1,7 +1,6 @@
 //! The light that a path finds: at its end by chance, and by rays sent to light sources and to where light is focused.
 
 use super::super::direct::{COORDINATES_COLOUR, SHINES, View, coordinates_colour};
-use super::super::media::medium_before;
 use super::super::normals;
 use super::super::observer::{Event, LightOutcome, Observer, RayKind};
 use super::vertex::Vertex;
@@ -151,18 +150,12 @@ impl<'a, O: Observer> Walk<'a, O> {
         let start = path.bounces;
         self.counts.shadow += 1;
         loop {
-            path.media = scene.shapes.settled(&path.media, &path.ray);
-            let Some(hit) = scene.shapes.intersect(&path.ray) else {
+            let Some((surface, view)) = self.arrive(&mut path) else {
                 if path.bounces > start {
                     self.take_environment(&path);
                 }
                 return;
             };
-            let surface = scene.shapes.surface(&path.ray, &hit);
-            let view = View::new(&surface, path.ray.direction);
-            let transmittance = self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
-            path.throughput *= transmittance;
-            self.observer.note(|| view.hit(&surface, &path.ray, hit.t, transmittance));
             let material = &scene.materials[surface.material as usize];
             if material.shines() && path.bounces > start {
                 self.take_own_light(&path, material, &surface, &view);

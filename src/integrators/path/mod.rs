@@ -24,6 +24,7 @@ use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
 use crate::scene::{Plan, Scene};
+use crate::shapes::Surface;
 use caustics::{CausticGuide, Directions};
 use lights::LightTables;
 use vertex::Vertex;
@@ -127,19 +128,27 @@ impl<'a, O: Observer> Walk<'a, O> {
         self.radiance += contribution;
     }
 
-    /// Follows the path to the next surface and chooses how to leave it. False at the path's end.
-    fn step(&mut self, path: &mut Path<'a>) -> bool {
-        let scene = self.scene;
-        path.media = scene.shapes.settled(&path.media, &path.ray);
-        let Some(hit) = scene.shapes.intersect(&path.ray) else {
-            self.take_environment(path);
-            return false;
-        };
-        let surface = scene.shapes.surface(&path.ray, &hit);
+    /// Follows the path to the next surface, through the glass in between. `None` if it hits nothing.
+    #[inline(always)]
+    fn arrive(&mut self, path: &mut Path<'a>) -> Option<(Surface, View)> {
+        let shapes = &self.scene.shapes;
+        path.media = shapes.settled(&path.media, &path.ray);
+        let hit = shapes.intersect(&path.ray)?;
+        let surface = shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
         let transmittance = self.media_of.transmittance(|| medium_before(&path.media, &surface, &view), hit.t);
         path.throughput *= transmittance;
         self.observer.note(|| view.hit(&surface, &path.ray, hit.t, transmittance));
+        Some((surface, view))
+    }
+
+    /// Follows the path to the next surface and chooses how to leave it. False at the path's end.
+    fn step(&mut self, path: &mut Path<'a>) -> bool {
+        let scene = self.scene;
+        let Some((surface, view)) = self.arrive(path) else {
+            self.take_environment(path);
+            return false;
+        };
         let material = &scene.materials[surface.material as usize];
         if !self.take_own_light(path, material, &surface, &view) {
             return false;
