@@ -5,6 +5,7 @@ use std::path::Path;
 use image::codecs::hdr::HdrEncoder;
 use image::codecs::jpeg::JpegEncoder;
 use image::{ExtendedColorType, ImageError};
+use rayon::prelude::*;
 
 use super::remark::with_remark;
 use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, openexr, write_atomically};
@@ -94,9 +95,15 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
 }
 
 /// The display colours as whole numbers from 0 to `largest`, rounded to nearest.
-fn quantised<T>(raster: &Raster, options: &WriteOptions, largest: f32, number: impl Fn(f32) -> T) -> Vec<T> {
+fn quantised<T: Send>(
+    raster: &Raster,
+    options: &WriteOptions,
+    largest: f32,
+    number: impl Fn(f32) -> T + Sync,
+) -> Vec<T> {
     let display = |&colour: &Vec3| options.tone_map.display_as(colour, options.encoding).to_array();
-    raster.pixels().iter().flat_map(display).map(|value| number((value * largest).round())).collect()
+    let numbers = |colour| display(colour).map(|value| number((value * largest).round()));
+    raster.pixels().par_iter().with_min_len(4096).flat_map_iter(numbers).collect()
 }
 
 fn bytes(raster: &Raster, options: &WriteOptions) -> Vec<u8> {

@@ -1,5 +1,7 @@
 //! The film: what the samples of every pixel add up to.
 
+use rayon::prelude::*;
+
 use super::layers::{LayerSums, Layers};
 use super::tile::Tile;
 use crate::integrators::{FirstHit, RayCounts};
@@ -13,24 +15,48 @@ pub(crate) struct TileFilm {
     /// Samples a pixel so far.
     pub samples: u32,
     pub counts: RayCounts,
-    /// Sums of radiance times filter weight, in `f64` so that many samples do not lose the small ones.
+    keeps: Keeps,
+    /// Sums of radiance times filter weight, in `f64` so that many samples do not lose the small ones; empty before the
+    /// first sample.
     weighted: Vec<DVec3>,
-    /// Sums of radiance and of filter weights; `None` for filters whose samples all count the same.
-    uneven: Option<Vec<(DVec3, f64)>>,
-    /// `None` unless layers were asked for.
-    layers: Option<Vec<LayerSums>>,
+    /// Sums of radiance and of filter weights; empty for filters whose samples all count the same.
+    uneven: Vec<(DVec3, f64)>,
+    /// Empty unless layers were asked for.
+    layers: Vec<LayerSums>,
+}
+
+/// What a film keeps of every sample beside its weighted radiance.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Keeps {
+    /// Samples count differently: their weights.
+    pub weights: bool,
+    /// Layers were asked for.
+    pub layers: bool,
 }
 
 impl TileFilm {
-    /// A film without samples. `even`: all samples count the same.
-    pub fn new(tile: Tile, even: bool, layers: bool) -> Self {
+    /// A film without samples. It takes no memory before the first: the thread that exposes it shall touch it first.
+    pub fn new(tile: Tile, keeps: Keeps) -> Self {
+        let counts = RayCounts::default();
+        Self { tile, samples: 0, counts, keeps, weighted: Vec::new(), uneven: Vec::new(), layers: Vec::new() }
+    }
+
+    /// The film of a single pixel, ready for samples.
+    pub fn of_pixel(keeps: Keeps) -> Self {
+        Self::new(Tile { x: 0, y: 0, width: 1, height: 1 }, keeps).copy_for_pass()
+    }
+
+    /// A copy to add samples to, which replaces this film when all pixels have them.
+    pub fn copy_for_pass(&self) -> Self {
+        if !self.weighted.is_empty() {
+            return self.clone();
+        }
+        let area = |kept| if kept { self.tile.area() } else { 0 };
         Self {
-            tile,
-            samples: 0,
-            counts: RayCounts::default(),
-            weighted: vec![DVec3::ZERO; tile.area()],
-            uneven: (!even).then(|| vec![(DVec3::ZERO, 0.0); tile.area()]),
-            layers: layers.then(|| vec![LayerSums::default(); tile.area()]),
+            weighted: vec![DVec3::ZERO; self.tile.area()],
+            uneven: vec![(DVec3::ZERO, 0.0); area(self.keeps.weights)],
+            layers: vec![LayerSums::default(); area(self.keeps.layers)],
+            ..*self
         }
     }
 
@@ -39,55 +65,58 @@ impl TileFilm {
     pub fn add(&mut self, pixel: usize, radiance: Vec3, weight: f64) {
         let radiance = radiance.as_dvec3();
         self.weighted[pixel] += radiance * weight;
-        if let Some(uneven) = &mut self.uneven {
-            uneven[pixel].0 += radiance;
-            uneven[pixel].1 += weight;
+        if let Some(uneven) = self.uneven.get_mut(pixel) {
+            uneven.0 += radiance;
+            uneven.1 += weight;
         }
     }
 
     /// Adds what the layers need of the same sample, if they were asked for.
     #[inline]
     pub fn add_layers(&mut self, pixel: usize, radiance: Vec3, first_hit: impl FnOnce() -> Option<FirstHit>) {
-        if let Some(layers) = &mut self.layers {
-            layers[pixel].add(radiance, first_hit());
+        if let Some(layer) = self.layers.get_mut(pixel) {
+            layer.add(radiance, first_hit());
         }
     }
 
-    /// The radiance a pixel shows.
+    /// The radiance a pixel shows; black before the first sample.
     ///
     /// With uneven weights the mean of the weights is not exactly 1; by as much as it is off, the plain mean of the radiance
     /// is taken away, so that an even picture stays even. The bias falls with 1/samples.
     pub fn pixel(&self, pixel: usize) -> Vec3 {
         let samples = f64::from(self.samples.max(1));
-        let mean = self.weighted[pixel] / samples;
+        let mean = self.weighted.get(pixel).copied().unwrap_or_default() / samples;
         let excess = |&(plain, weights): &(DVec3, f64)| plain / samples * (weights / samples - 1.0);
-        let excess = self.uneven.as_ref().map_or(DVec3::ZERO, |uneven| excess(&uneven[pixel]));
+        let excess = self.uneven.get(pixel).map_or(DVec3::ZERO, excess);
         (mean - excess).as_vec3()
     }
 }
 
-/// The picture on the film of all tiles.
+/// The picture on the film of all tiles, given row by row; bands of tiles in parallel.
 pub(super) fn develop(tiles: &[TileFilm], [width, height]: [usize; 2]) -> Raster {
     let mut raster = Raster::filled(width, height, Vec3::ZERO);
-    for film in tiles {
-        let tile = film.tile;
-        for row in 0..tile.height {
-            let start = (tile.y + row) * width + tile.x;
-            for (column, pixel) in raster.pixels_mut()[start..start + tile.width].iter_mut().enumerate() {
-                *pixel = film.pixel(row * tile.width + column);
+    let bands = raster.pixels_mut().par_chunks_mut(width * Tile::SIDE);
+    bands.zip(tiles.par_chunks(width.div_ceil(Tile::SIDE))).for_each(|(band, tiles)| {
+        for film in tiles {
+            let tile = film.tile;
+            for row in 0..tile.height {
+                let start = row * width + tile.x;
+                for (column, pixel) in band[start..start + tile.width].iter_mut().enumerate() {
+                    *pixel = film.pixel(row * tile.width + column);
+                }
             }
         }
-    }
+    });
     raster
 }
 
 /// The layers on the film of all tiles; `None` if they were not asked for.
 pub(super) fn develop_layers(tiles: &[TileFilm], [width, height]: [usize; 2]) -> Option<Layers> {
+    tiles.first().filter(|film| film.keeps.layers)?;
     let mut layers = Layers::blank(width, height);
     for film in tiles {
-        let sums = film.layers.as_ref()?;
-        for (pixel, [x, y]) in film.tile.pixels().enumerate() {
-            layers.set(x, y, &sums[pixel], film.samples);
+        for ([x, y], sums) in film.tile.pixels().zip(&film.layers) {
+            layers.set(x, y, sums, film.samples);
         }
     }
     Some(layers)

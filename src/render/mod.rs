@@ -9,8 +9,7 @@ mod ray_source;
 mod renderer;
 mod tile;
 
-pub(crate) use film::TileFilm;
-pub(crate) use tile::Tile;
+pub(crate) use film::{Keeps, TileFilm};
 
 pub use axis_shots::{AxisShot, front};
 pub use layers::Layers;

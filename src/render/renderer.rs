@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::film::{TileFilm, develop, develop_layers};
+use super::film::{Keeps, TileFilm, develop, develop_layers};
 use super::layers::Layers;
 use super::progress::Progress;
 use super::ray_source::RaySource;
@@ -62,8 +62,8 @@ impl<'a> Renderer<'a> {
         let integrator = Integrator::new(scene, plan)?;
         let media = integrator.media_around(source.position());
         let sampling = scene.sampling;
-        let even = sampling.filter.is_even();
-        let tiles = Tile::all(source.size()).into_iter().map(|tile| TileFilm::new(tile, even, layers)).collect();
+        let keeps = Keeps { weights: !sampling.filter.is_even(), layers };
+        let tiles = Tile::all(source.size()).into_iter().map(|tile| TileFilm::new(tile, keeps)).collect();
         Ok(Self { scene, integrator, source, media, sampling, centred: scene.samples == 1, tiles, samples: 0 })
     }
 
@@ -102,8 +102,8 @@ impl<'a> Renderer<'a> {
 
     /// What a pixel shows after samples that were taken one by one, in their order: the same bits as in the picture.
     pub fn develop_pixel(&self, samples: &[PixelSample]) -> Vec3 {
-        let even = self.scene.sampling.filter.is_even();
-        let mut film = TileFilm::new(Tile { x: 0, y: 0, width: 1, height: 1 }, even, false);
+        let keeps = Keeps { weights: !self.scene.sampling.filter.is_even(), layers: false };
+        let mut film = TileFilm::of_pixel(keeps);
         samples.iter().for_each(|sample| film.add(0, sample.radiance, sample.place.weight));
         film.samples = samples.len() as u32;
         film.pixel(0)
@@ -149,7 +149,7 @@ struct Pass<'p, 'a> {
 impl Pass<'_, '_> {
     /// Adds the samples of the pass to a tile, all of them or none.
     fn expose(&self, film: &mut TileFilm, progress: &impl Progress) -> Result<()> {
-        let mut exposed = film.clone();
+        let mut exposed = film.copy_for_pass();
         for (pixel, place) in film.tile.pixels().enumerate() {
             // With many samples a pixel takes long: a cancelled tile is not finished.
             if progress.cancelled() {

@@ -1,8 +1,5 @@
 //! Tiles: the parts of a picture that threads work on.
 
-/// Side of a tile in pixels: small enough to balance the load, large enough to keep rays coherent.
-const SIDE: usize = 16;
-
 /// A rectangle of a picture, in pixels from the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Tile {
@@ -13,10 +10,15 @@ pub(crate) struct Tile {
 }
 
 impl Tile {
+    /// Side of a tile in pixels: small enough to balance the load, large enough to keep rays coherent.
+    pub const SIDE: usize = 16;
+
     /// The tiles of a picture, row by row.
     pub fn all([width, height]: [usize; 2]) -> Vec<Self> {
-        let corners = (0..height).step_by(SIDE).flat_map(|y| (0..width).step_by(SIDE).map(move |x| (x, y)));
-        corners.map(|(x, y)| Self { x, y, width: SIDE.min(width - x), height: SIDE.min(height - y) }).collect()
+        let corners = (0..height).step_by(Self::SIDE).flat_map(|y| (0..width).step_by(Self::SIDE).map(move |x| (x, y)));
+        corners
+            .map(|(x, y)| Self { x, y, width: Self::SIDE.min(width - x), height: Self::SIDE.min(height - y) })
+            .collect()
     }
 
     /// Its pixels, row by row.

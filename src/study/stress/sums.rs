@@ -8,7 +8,7 @@ use super::reference::ulp_f32;
 use super::wide::Wide;
 use crate::math::Vec3;
 use crate::picture::Raster;
-use crate::render::{Silent, Tile, TileFilm, render};
+use crate::render::{Keeps, Silent, TileFilm, render};
 use crate::scene::{Plan, Scene};
 
 pub(super) const SUBJECTS: &[Subject] = &[
@@ -47,7 +47,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
 /// Samples of the same mean, most of them dim and a few bright: a thousandth gives half of the light.
 fn film(effort: Effort, contrast: f64, uneven: bool) -> Measurement {
     let samples = effort.share(0.1).min(1_000_000) as u32;
-    let mut film = TileFilm::new(Tile { x: 0, y: 0, width: 1, height: 1 }, !uneven, false);
+    let mut film = TileFilm::of_pixel(Keeps { weights: uneven, layers: false });
     film.samples = samples;
     let mut random = Random(contrast.to_bits());
     let [mut weighted, mut plain, mut weights] = [Wide::ZERO; 3];
