@@ -63,15 +63,15 @@ pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
     }
     write(arguments, &sets, &sheet, &sheet_file)?;
     if let Some(assumption) = assumption {
-        println!("{assumption}");
+        super::print(format_args!("{assumption}\n"));
     }
     if arguments.fixed && fixed_lookup.is_none() {
-        println!("nothing to fix: one set of shots");
+        super::print(format_args!("nothing to fix: one set of shots\n"));
     }
     for set in &sets {
-        print!("{}", set.report);
+        super::print(format_args!("{}", set.report));
     }
-    println!("\nwrote {}", sheet_file.display());
+    super::print(format_args!("\nwrote {}\n", sheet_file.display()));
     Ok(Outcome::Clean)
 }
 
