@@ -19,7 +19,7 @@ pub struct FixArguments {
     /// A folder, zip, cross or strip
     map: PathBuf,
     /// The folder to write the six corrected files to; made if it is missing
-    #[arg(short, long, value_name = "DIR", required_unless_present = "code")]
+    #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Print the corrected lookup instead
     #[arg(long, value_name = "LANGUAGE", conflicts_with = "output")]
@@ -37,12 +37,19 @@ struct Corrected {
 
 /// Checks the map and mends it. Ends with faults if a face remains that does not belong.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
+    if arguments.output.is_none() && arguments.code.is_none() {
+        return Err(Error::new("it is not said where the fix shall go")
+            .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|toml for the corrected lookup"));
+    }
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let check = arguments.validation.check(&skybox)?;
     if let Some(language) = arguments.code {
         super::print(lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
     } else if let Some(folder) = &arguments.output {
         write_files(&skybox, &check, folder)?;
+        if check.verdict == Verdict::Fits && check.fix.changes == 0 {
+            super::remark(format_args!("nothing to fix: the faces fit as they are, the files are copies\n"));
+        }
     }
     for note in check.notes.iter().take(check.foreign.len()) {
         super::remark(format_args!("not mended: {note}\n"));
