@@ -54,6 +54,9 @@ pub fn find(
     images: &Borders,
     arrangement: &Arrangement,
 ) -> Result<Option<(Foreign, Arrangement)>> {
+    if let Some(copied) = copied(map, puzzle, images, arrangement)? {
+        return Ok(Some(copied));
+    }
     let judged = Face::ALL.map(|face| best_laid(puzzle, arrangement, face));
     let worst = |a: &usize, b: &usize| judged[*a].1.total_cmp(&judged[*b].1);
     let Some(worst) = (0..6).max_by(worst) else { return Ok(None) };
@@ -80,6 +83,40 @@ pub fn find(
         Reason::CopyOf(_) => true,
     };
     Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
+}
+
+/// A face with the texels of another that sees them in its place: its own seams gape where those of the original close. In a
+/// picture of the world two faces never hold the same detail; in a drawn one they may, and then all seams close.
+fn copied(
+    map: &CubeMap,
+    puzzle: &Puzzle,
+    images: &Borders,
+    arrangement: &Arrangement,
+) -> Result<Option<(Foreign, Arrangement)>> {
+    let mut worst: Option<(f64, Foreign)> = None;
+    for face in Face::ALL {
+        let Some(other) = copy_of(map, images, arrangement.images[face.index()])? else { continue };
+        let Some(original) = Face::ALL.into_iter().find(|face| arrangement.images[face.index()] == other) else {
+            continue;
+        };
+        let (laid, _) = best_laid(puzzle, arrangement, face);
+        let away = |of: Face, from: Face| score_away_from(puzzle, images, &laid, of, from);
+        let (gaping, closing) = (away(face, original), away(original, face));
+        let others_fit = mean_fit(puzzle, &laid, face, false) <= FAMILIAR;
+        let gapes = others_fit && gaping >= VISIBLE && closing <= 0.5 * gaping;
+        if gapes && worst.is_none_or(|(score, _)| gaping > score) {
+            worst = Some((gaping, Foreign { face, reason: Reason::CopyOf(other) }));
+        }
+    }
+    Ok(worst.map(|(_, foreign)| (foreign, arrangement.with_laying(foreign.face, 0))))
+}
+
+/// The mean score of the seams of a face but for the one towards another: a copy beside its original may close that one.
+fn score_away_from(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face, other: Face) -> f64 {
+    let counts = |&edge: &usize| Edge::ALL[edge].touches(face) && !Edge::ALL[edge].touches(other);
+    let scores: Vec<f64> =
+        (0..12).filter(counts).map(|edge| measure(puzzle, images, arrangement, edge).score).collect();
+    scores.iter().sum::<f64>() / scores.len().max(1) as f64
 }
 
 /// The mean cost of a face's seams but for their mean brightness and colour, which a different exposure explains.

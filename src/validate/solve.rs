@@ -74,7 +74,9 @@ impl Question<'_> {
                 // Were the others wrong too, the face would be one of several that changed places.
                 let others_fit = !self.puzzle.compare_without(&best, &arrangement, Some(image)).is_decisive();
                 let solution = self.solution(arrangement, None, Some(foreign), 1)?;
-                if others_fit && solution.tells(&self.given()) {
+                // Equal texels are no matter of chance, whatever the other faces tell.
+                let certain = matches!(foreign.reason, Reason::CopyOf(_)) || solution.tells(&self.given());
+                if others_fit && certain {
                     return Ok(solution);
                 }
             }
@@ -175,12 +177,12 @@ impl Question<'_> {
         if self.options.names != Names::Auto || any_order || name(&simplest).is_some() || self.changes(&simplest) < 4 {
             return (simplest, name(&simplest));
         }
-        // Names are trusted, but laying most faces anew is a poor explanation where a convention, or two files that
-        // changed places, explains the same cube.
+        // Names are trusted, but laying most faces anew is a poor explanation where a convention, or files that changed
+        // places and are otherwise as they were, explain the same cube.
         let laid = self.changes(&simplest);
         let simpler = |arrangement: &Arrangement| match name(arrangement) {
             Some(_) => self.changes(arrangement) < laid,
-            None => self.changes(arrangement) <= laid / 2,
+            None => self.changes(arrangement) <= laid / 2 && self.mostly_renames(arrangement),
         };
         let renamed = named.iter().map(|(_, known)| *known).chain(turned()).filter(simpler).collect();
         let simplest = self.first_that_ties(best, renamed, &named).unwrap_or(simplest);
@@ -206,6 +208,14 @@ impl Question<'_> {
             arrangement.images[face] != given.images[face] || arrangement.layings[face] != given.layings[face]
         };
         (0..6).filter(changed).count()
+    }
+
+    /// True if no image is renamed and laid anew, and at most one is laid anew at all.
+    fn mostly_renames(&self, arrangement: &Arrangement) -> bool {
+        let given = self.given();
+        let laid = |&face: &usize| arrangement.layings[face] != given.layings[face];
+        let renamed = |face: usize| arrangement.images[face] != given.images[face];
+        (0..6).filter(laid).count() <= 1 && !(0..6).filter(laid).any(renamed)
     }
 
     /// The order of preference: the up axis that the user named; nothing changed; a convention as a whole; the

@@ -136,7 +136,7 @@ impl<'a, O: Observer> Walk<'a, O> {
         self.follow_focused(Path {
             ray,
             media: vertex.media_of(&ray),
-            throughput: path.throughput * evaluation.value * (weight / density) as f32,
+            throughput: path.throughput * factor,
             bounces: path.bounces + 1,
             arrival: Arrival::Camera,
             caustics: None,
