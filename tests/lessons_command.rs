@@ -78,6 +78,8 @@ fn what_is_wrong_with_a_lesson_is_named() {
         (LESSON.replace("README.md", "../secret"), "../secret lies outside the lesson"),
         (LESSON.replace("skycube render", "cargo run"), "command lines that begin with \"skycube \""),
         (LESSON.replace("number = 3", "number = -3"), "lesson.toml:2:"),
+        (format!("{LESSON}[expected_samples]\nb = 256\n"), "there is no scene b.toml among the files"),
+        (format!("{LESSON}[expected_samples]\na = 0\n"), "lesson.toml:9:"),
     ];
     for (text, expected) in cases {
         let folder = folder(&text);

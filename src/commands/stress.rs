@@ -14,7 +14,7 @@ use crate::study::stress::{Case, Effort, Subject, Verdict, subjects};
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 all bounds kept where they are promised, 1 not, 2 could not run.")]
 pub struct StressArguments {
-    /// Only the cases whose name begins so, each step of them
+    /// Only the cases whose name begins so, such as leaks, each step of them
     #[arg(long, value_name = "NAME")]
     case: Option<String>,
     /// Rays spent on self-intersection; the other cases take their share of it

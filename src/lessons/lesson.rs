@@ -1,5 +1,7 @@
 //! One lesson, read from its `lesson.toml`.
 
+use std::collections::BTreeMap;
+use std::num::NonZeroU32;
 use std::path::{Component, Path, PathBuf};
 
 use serde::Deserialize;
@@ -40,6 +42,9 @@ pub struct Lesson {
     pub files: Vec<PathBuf>,
     /// Command lines, each beginning with `skycube `.
     pub commands: Vec<String>,
+    /// Samples a pixel of `expected-NAME.png`, for the scene `NAME.toml`: so many that hardly any noise is left. The expected
+    /// picture of a scene that is not here was rendered with the scene's own samples.
+    pub expected_samples: BTreeMap<String, NonZeroU32>,
 }
 
 /// The keys of the file.
@@ -52,6 +57,8 @@ struct Keys {
     needs: Bilingual,
     files: Vec<PathBuf>,
     commands: Vec<String>,
+    #[serde(default)]
+    expected_samples: BTreeMap<String, NonZeroU32>,
 }
 
 impl Bilingual {
@@ -73,20 +80,9 @@ impl Lesson {
             let line = error.span().map_or(1, |span| text[..span.start].matches('\n').count() + 1);
             Error::new(error.message().replace('\n', "; ")).in_file(&file).at_line(line)
         })?;
-        if let Some(outside) = keys.files.iter().find(|path| !stays_inside(path)) {
-            return Err(Error::new(format!("{} lies outside the lesson", outside.display()))
-                .in_file(&file)
-                .at_key("files")
-                .expected("paths relative to the lesson's folder"));
-        }
-        if let Some(command) = keys.commands.iter().find(|command| !command.starts_with("skycube ")) {
-            return Err(Error::new(format!("found \"{command}\""))
-                .in_file(&file)
-                .at_key("commands")
-                .expected("command lines that begin with \"skycube \""));
-        }
-        let Keys { number, title, goal, needs, files, commands } = keys;
-        Ok(Self { folder, number, title, goal, needs, files, commands })
+        keys.check().map_err(|error| error.in_file(&file))?;
+        let Keys { number, title, goal, needs, files, commands, expected_samples } = keys;
+        Ok(Self { folder, number, title, goal, needs, files, commands, expected_samples })
     }
 
     /// The name of its folder: `01-camera-rays`.
@@ -100,6 +96,29 @@ impl Lesson {
             Language::En => "README.md",
             Language::Cs => "README.cs.md",
         })
+    }
+}
+
+impl Keys {
+    /// An error if a value is not what the program relies on.
+    fn check(&self) -> Result<()> {
+        if let Some(outside) = self.files.iter().find(|path| !stays_inside(path)) {
+            return Err(Error::new(format!("{} lies outside the lesson", outside.display()))
+                .at_key("files")
+                .expected("paths relative to the lesson's folder"));
+        }
+        if let Some(command) = self.commands.iter().find(|command| !command.starts_with("skycube ")) {
+            return Err(Error::new(format!("found \"{command}\""))
+                .at_key("commands")
+                .expected("command lines that begin with \"skycube \""));
+        }
+        let listed = |scene: &str| self.files.iter().any(|file| *file == Path::new(&format!("{scene}.toml")));
+        if let Some(scene) = self.expected_samples.keys().find(|scene| !listed(scene)) {
+            return Err(Error::new(format!("there is no scene {scene}.toml among the files"))
+                .at_key("expected_samples")
+                .expected("names of the lesson's scenes, without .toml"));
+        }
+        Ok(())
     }
 }
 
