@@ -8,7 +8,9 @@ const STEP: f32 = 0.1;
 /// How far from an edge its pixels may lie.
 const RADIUS: usize = 2;
 /// The share of the squared difference that must lie there, and the share of the pixels that may.
-const DECISIVE: (f64, f64) = (0.9, 0.4);
+const DECISIVE: (f64, f64) = (0.9, 0.6);
+/// How many times larger the mean squared difference must be there than elsewhere.
+const CONTRAST: f64 = 20.0;
 
 /// A difference that lies along edges that both pictures have.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -36,7 +38,8 @@ impl Edges {
         }
         let area = pixels as f64 / ranges.values().len() as f64;
         let share = if all > 0.0 { inside / all } else { 0.0 };
-        (share >= DECISIVE.0 && area <= DECISIVE.1).then_some(Self { share, area })
+        let contrasts = share * (1.0 - area) >= CONTRAST * (1.0 - share) * area;
+        (share >= DECISIVE.0 && area <= DECISIVE.1 && contrasts).then_some(Self { share, area })
     }
 }
 

@@ -70,12 +70,11 @@ fn related(mine: &Raster, expected: &Raster, alpha: bool) -> Result<Related, Fin
     if flat == [false, false] {
         let matched = structure::decided(&structure::matches(mine, expected));
         let correlates = matched.correlation >= RELATED;
-        if !correlates || structure::is_smooth(mine, expected) {
-            if let Some(matched) = smooth::matched(mine, expected) {
-                // Their rough shift is not known, and slow changes show a large one as well as a small one.
-                let reach = expected.width().max(expected.height()) as f64 / 10.0;
-                return Ok(Related { matched, reach: Some(reach) });
-            }
+        let by_colours = !correlates || structure::is_smooth(mine, expected);
+        if let Some(matched) = by_colours.then(|| smooth::matched(mine, expected)).flatten() {
+            // Their rough shift is not known, and slow changes show a large one as well as a small one.
+            let reach = expected.width().max(expected.height()) as f64 / 10.0;
+            return Ok(Related { matched, reach: Some(reach) });
         }
         if correlates {
             return Ok(Related { matched, reach: Some(DETAIL_REACH) });
