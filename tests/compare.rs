@@ -1,5 +1,8 @@
 //! What was done to a picture must be named, and nothing else.
 
+#[path = "compare/lesson_pictures.rs"]
+mod lesson_pictures;
+
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -92,6 +95,9 @@ fn names(comparison: &Comparison) -> Vec<String> {
             Finding::NotFinite { .. } => "not finite".to_owned(),
             Finding::Size { .. } => "size".to_owned(),
             Finding::Flat { .. } => "flat".to_owned(),
+            Finding::ExpectedEven { .. } => "expected even".to_owned(),
+            Finding::Scaled { .. } => "scaled".to_owned(),
+            Finding::Partial { .. } => "partial".to_owned(),
             Finding::Unrelated { .. } => "unrelated".to_owned(),
             Finding::Laid { operation, .. } => operation.name().to_owned(),
             Finding::RedBlueSwapped { .. } => "red-blue".to_owned(),
@@ -104,6 +110,7 @@ fn names(comparison: &Comparison) -> Vec<String> {
             Finding::ClippedHighlights { .. } => return None,
             Finding::Noise { .. } => "noise".to_owned(),
             Finding::Region { .. } => "region".to_owned(),
+            Finding::Edges { .. } => "edges".to_owned(),
             Finding::Everywhere => "everywhere".to_owned(),
         })
     };

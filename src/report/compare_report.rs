@@ -17,7 +17,8 @@ use std::fmt;
 
 use serde_json::Value;
 
-use super::compare_sentences::{figures, kind, sentence};
+use super::compare_figures::figures;
+use super::compare_sentences::{kind, sentence};
 use crate::picture::Header;
 use crate::study::comparison::{Comparison, Finding, Region, Verdict};
 use crate::study::metrics::Metrics;
@@ -94,7 +95,7 @@ impl CompareReport<'_> {
 
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        let Comparison { mine, expected, findings, before, after, worst } = self.comparison;
+        let Comparison { mine, expected, findings, before, after, worst, .. } = self.comparison;
         let report = Json {
             verdict: self.verdict(),
             metric: self.metric.name(),
@@ -131,7 +132,7 @@ impl CompareReport<'_> {
 
 impl fmt::Display for CompareReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Comparison { mine, expected, findings, before, after, worst } = self.comparison;
+        let Comparison { mine, expected, findings, before, after, worst, .. } = self.comparison;
         writeln!(formatter, "{}", self.verdict_line())?;
         writeln!(formatter, "\nyours     {}", header(mine))?;
         writeln!(formatter, "expected  {}", header(expected))?;

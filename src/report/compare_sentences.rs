@@ -1,10 +1,8 @@
-//! The findings of a comparison in plain sentences, and their figures for JSON.
-
-use serde_json::{Value, json};
+//! The findings of a comparison in plain sentences.
 
 use super::compare_report::rounded;
 use crate::envmap::ImageOperation;
-use crate::study::comparison::{Curve, Evidence, Finding, Region};
+use crate::study::comparison::{Curve, Evidence, Finding, Partial, Region};
 
 /// The kind of a finding, for machines.
 pub(super) fn kind(finding: &Finding) -> &'static str {
@@ -12,6 +10,9 @@ pub(super) fn kind(finding: &Finding) -> &'static str {
         Finding::NotFinite { .. } => "not_finite",
         Finding::Size { .. } => "size",
         Finding::Flat { .. } => "flat",
+        Finding::ExpectedEven { .. } => "expected_even",
+        Finding::Scaled { .. } => "scaled",
+        Finding::Partial { .. } => "partial",
         Finding::Unrelated { .. } => "unrelated",
         Finding::Laid { .. } => "laid",
         Finding::RedBlueSwapped { .. } => "red_blue_swapped",
@@ -21,6 +22,7 @@ pub(super) fn kind(finding: &Finding) -> &'static str {
         Finding::ClippedHighlights { .. } => "clipped_highlights",
         Finding::Noise { .. } => "noise",
         Finding::Region { .. } => "region",
+        Finding::Edges { .. } => "edges",
         Finding::Everywhere => "everywhere",
     }
 }
@@ -33,7 +35,13 @@ pub(super) fn sentence(finding: &Finding) -> String {
              divide by zero or take the root of a negative number. They are compared as black."
         ),
         Finding::Size { mine, expected, same_proportions } => size(*mine, *expected, *same_proportions),
-        Finding::Flat { luma, alpha } => flat(*luma, *alpha),
+        Finding::Flat { luma, alpha, deviation } => flat(*luma, *alpha, *deviation),
+        Finding::ExpectedEven { mine, expected } => format!(
+            "The expected picture is even; yours shows something: your tones deviate by {mine:.1} of 255, those expected by \
+             {expected:.1}."
+        ),
+        Finding::Scaled { factor, correlation } => scaled(*factor, *correlation),
+        Finding::Partial { part } => partial(part),
         Finding::Unrelated { .. } => "Your picture shows something else: nothing in it stands where the expected picture has \
              it, however it is flipped, turned or shifted by up to a tenth. Check the scene, and the camera's position, \
              direction and field of view."
@@ -46,7 +54,7 @@ pub(super) fn sentence(finding: &Finding) -> String {
         Finding::Exposure { factor, stops, evidence } => {
             format!("Yours is {factor:.2} times as bright: {stops:+.2} stops ({}).", explained(evidence))
         }
-        Finding::Shifted { x, y, evidence } => format!("{} ({}).", shifted(*x, *y), explained(evidence)),
+        Finding::Shifted { x, y, evidence } => format!("{} ({}).", shifted(*x, *y), explained_shift(*x, *y, evidence)),
         Finding::ClippedHighlights { share } => format!(
             "Highlights are cut off: {:.1} % of your pixels are white at the limit of the file where the expected picture \
              goes on. What is cut off cannot be compared.",
@@ -54,9 +62,15 @@ pub(super) fn sentence(finding: &Finding) -> String {
         ),
         Finding::Noise { deviation } => format!(
             "What is left has no structure, it is noise (standard deviation {deviation:.1} of 255): more samples a pixel \
-             make it smaller."
+             make it smaller, unless it is the expected picture's noise."
         ),
         Finding::Region { region } => one_place(region),
+        Finding::Edges { share, area, .. } => format!(
+            "What is left lies along edges ({:.0} % of it on {:.0} % of the pixels), where samples within the pixel count: \
+             render with as many as the expected picture has, and let a single ray go through the pixel's centre.",
+            100.0 * share,
+            100.0 * area
+        ),
         Finding::Everywhere => "The same things are to be seen, but they differ in many places, and no flip, shift, gamma or \
              exposure explains it."
             .to_owned(),
@@ -64,50 +78,57 @@ pub(super) fn sentence(finding: &Finding) -> String {
 }
 
 fn one_place(region: &Region) -> String {
+    let Region { x, y, width, height, flip, flip_outside, share } = *region;
+    let place = format!("columns {x} to {}, rows {y} to {}", x + width - 1, y + height - 1);
+    let share = 100.0 * share;
+    if share >= 40.0 {
+        return format!("It differs in one place: {place} hold {share:.0} % of the difference.");
+    }
     format!(
-        "It differs in one place: columns {} to {}, rows {} to {} hold {:.0} % of the difference.",
-        region.x,
-        region.x + region.width - 1,
-        region.y,
-        region.y + region.height - 1,
-        100.0 * region.share
+        "It is plainly other in {place}: FLIP {flip:.2} there, {flip_outside:.3} elsewhere ({share:.0} % of the difference)."
     )
 }
 
-/// The figures of a finding.
-pub(super) fn figures(finding: &Finding) -> Value {
-    let with = |mut figures: Value, evidence: &Evidence| {
-        figures["difference_before"] = json!(rounded(evidence.before, 2));
-        figures["difference_after"] = json!(rounded(evidence.after, 2));
-        figures
-    };
-    match finding {
-        Finding::NotFinite { pixels, first: [x, y] } => json!({ "pixels": pixels, "x": x, "y": y }),
-        Finding::Size { mine, expected, same_proportions } => {
-            json!({ "mine": mine, "expected": expected, "same_proportions": same_proportions })
-        }
-        Finding::Flat { luma, alpha } => json!({ "luma": rounded(*luma, 3), "alpha": alpha }),
-        Finding::Unrelated { correlation } => json!({ "correlation": rounded(*correlation, 3) }),
-        Finding::Laid { operation, evidence } => with(json!({ "operation": operation.name() }), evidence),
-        Finding::RedBlueSwapped { evidence } => with(json!({}), evidence),
-        Finding::Encoding { curve, evidence } => with(curve_figures(*curve), evidence),
-        Finding::Exposure { factor, stops, evidence } => {
-            with(json!({ "factor": rounded(*factor, 3), "stops": rounded(*stops, 2) }), evidence)
-        }
-        Finding::Shifted { x, y, evidence } => with(json!({ "x": rounded(*x, 2), "y": rounded(*y, 2) }), evidence),
-        Finding::ClippedHighlights { share } => json!({ "share": rounded(*share, 4) }),
-        Finding::Noise { deviation } => json!({ "deviation": rounded(*deviation, 1) }),
-        Finding::Region { region } => json!({
-            "x": region.x, "y": region.y, "width": region.width, "height": region.height,
-            "share": rounded(region.share, 4)
-        }),
-        Finding::Everywhere => json!({}),
+fn scaled(factor: f64, correlation: f64) -> String {
+    let view = if factor > 1.0 { "narrower" } else { "wider" };
+    format!(
+        "Your picture shows the same things {factor:.2} times as large: your field of view is {view} (scaled back about the \
+         centre, it correlates with the expected one by {correlation:.2}). Multiply the tangent of half your angle by \
+         {factor:.2}, and check whether the angle is meant across the width or the height, in degrees or radians."
+    )
+}
+
+fn partial(part: &Partial) -> String {
+    let fits = 100.0 * part.fits;
+    if part.is_surrounding() {
+        return format!(
+            "The shapes stand where they should ({fits:.0} % of what has structure fits in place); what differs is mostly \
+             the background ({:.0} % of the picture's border differs). Is the environment read by the right lookup? \
+             `skycube grade` finds out.",
+            100.0 * part.border
+        );
     }
+    let ([left, right], [top, bottom]) = (part.columns, part.rows);
+    format!(
+        "{fits:.0} % of what has structure fits in place; what differs is mostly in columns {left} to {right}, rows {top} to \
+         {bottom}. Check what stands there; if everything does, check the camera."
+    )
 }
 
 fn explained(evidence: &Evidence) -> String {
     let Evidence { before, after } = evidence;
     format!("undoing it takes the mean difference from {before:.1} to {after:.1} of 255")
+}
+
+/// Of a shift between pixels the evidence is that of blurred pictures.
+fn explained_shift(x: f64, y: f64, evidence: &Evidence) -> String {
+    if x.fract() == 0.0 && y.fract() == 0.0 {
+        return explained(evidence);
+    }
+    let Evidence { before, after } = evidence;
+    format!(
+        "undoing it takes the mean difference of the slightly blurred pictures from {before:.1} to {after:.1} of 255"
+    )
 }
 
 fn size([width, height]: [usize; 2], [expected_width, expected_height]: [usize; 2], same_proportions: bool) -> String {
@@ -121,13 +142,19 @@ fn size([width, height]: [usize; 2], [expected_width, expected_height]: [usize; 
     )
 }
 
-fn flat(luma: f64, alpha: bool) -> String {
-    let tone = if luma < 0.01 {
-        "Your picture is black: nothing was rendered, or light, camera or material numbers are zero."
+fn flat(luma: f64, alpha: bool, deviation: f64) -> String {
+    let tone = if deviation >= 0.6 {
+        format!(
+            "Your picture is even but for noise (standard deviation {deviation:.1} of 255); the expected one shows \
+             something."
+        )
+    } else if luma < 0.01 {
+        "Your picture is black: nothing was rendered, or light, camera or material numbers are zero.".to_owned()
     } else if luma > 0.99 {
         "Your picture is white all over: the values are far too large, or the file was written in other units."
+            .to_owned()
     } else {
-        "Your picture is of one tone all over: every ray gets the same colour."
+        "Your picture is of one tone all over: every ray gets the same colour.".to_owned()
     };
     let alpha = if alpha { " The file has an alpha channel, which is not applied: write one without." } else { "" };
     format!("{tone}{alpha}")
@@ -161,16 +188,6 @@ fn encoding(curve: Curve) -> String {
         Curve::EncodedTwice => "Your picture is gamma-encoded twice: encode it only once, when the file is written".to_owned(),
         Curve::PlainGamma => "Your picture is encoded with the power 1/2.2 where the sRGB curve is expected: dark tones differ a little".to_owned(),
         Curve::Power(power) => format!("Your contrast is another: your light is the expected light to the power {power:.2}"),
-    }
-}
-
-fn curve_figures(curve: Curve) -> Value {
-    match curve {
-        Curve::AsExpected => json!({ "curve": "as_expected" }),
-        Curve::NotEncoded => json!({ "curve": "not_encoded" }),
-        Curve::EncodedTwice => json!({ "curve": "encoded_twice" }),
-        Curve::PlainGamma => json!({ "curve": "power_1_2.2" }),
-        Curve::Power(power) => json!({ "curve": "power", "power": rounded(f64::from(power), 2) }),
     }
 }
 

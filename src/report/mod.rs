@@ -6,6 +6,7 @@ mod check_report;
 mod code;
 mod colour_map;
 mod compare_drawing;
+mod compare_figures;
 mod compare_report;
 mod compare_sentences;
 mod compass;

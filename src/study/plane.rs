@@ -3,6 +3,7 @@
 use crate::colour::{encode_srgb, luminance};
 use crate::math::Vec3;
 use crate::picture::Raster;
+use rayon::prelude::*;
 
 /// A rectangle of numbers, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,7 +28,7 @@ impl Plane {
 
     /// The luma of a picture as displayed: the weights of the luminance applied to the sRGB-encoded channels, `[0, 1]`.
     pub fn luma(raster: &Raster) -> Self {
-        Self::of_raster(raster, |colour| luminance(display(colour)))
+        Self::of_raster(&displayed(raster), luminance)
     }
 
     pub fn width(&self) -> usize {
@@ -108,6 +109,46 @@ pub(super) fn display(colour: Vec3) -> Vec3 {
     Vec3::new(encode_srgb(colour.x), encode_srgb(colour.y), encode_srgb(colour.z))
 }
 
+/// The picture that a display shows of a linear one: [`display`] of every pixel.
+pub(super) fn displayed(raster: &Raster) -> Raster {
+    let mut shown = raster.clone();
+    shown.pixels_mut().par_chunks_mut(PARALLEL_PIXELS).for_each(|pixels| {
+        let mut codes = Codes::new();
+        for pixel in pixels {
+            *pixel = Vec3::new(codes.of(pixel.x), codes.of(pixel.y), codes.of(pixel.z));
+        }
+    });
+    shown
+}
+
+/// Pixels that one thread works on at a time.
+const PARALLEL_PIXELS: usize = 1 << 16;
+
+/// Codes by their linear values, the latest of those that share a place: pictures of 8 bits hold 256 values, and the
+/// power in the encoding is slow.
+struct Codes {
+    places: Vec<(u32, f32)>,
+}
+
+impl Codes {
+    /// Binary logarithm of the number of places.
+    const BITS: u32 = 12;
+
+    fn new() -> Self {
+        // Positive zero in every place, whose code is 0.
+        Self { places: vec![(0, 0.0); 1 << Self::BITS] }
+    }
+
+    fn of(&mut self, linear: f32) -> f32 {
+        let bits = linear.to_bits();
+        let place = &mut self.places[(bits.wrapping_mul(0x9E37_79B1) >> (32 - Self::BITS)) as usize];
+        if place.0 != bits {
+            *place = (bits, encode_srgb(linear));
+        }
+        place.1
+    }
+}
+
 /// A sampled Gaussian of the given standard deviation, from `-radius` to `radius`, its sum 1.
 pub(super) fn gaussian(deviation: f64, radius: usize) -> Vec<f32> {
     let offsets = (0..=2 * radius).map(|tap| tap as f64 - radius as f64);
@@ -139,6 +180,14 @@ mod tests {
             }
             assert!((filtered.at(x, y) - sum).abs() < 1e-4, "{x} {y}");
         }
+    }
+
+    #[test]
+    fn a_picture_is_displayed_as_its_pixels_are() {
+        let value = |index: usize| (index % 701) as f32 / 500.0 - 0.2;
+        let raster = Raster::from_function(300, 250, |x, y| Vec3::new(value(x * 7 + y), value(x + y * 31), f32::NAN));
+        let expected: Vec<Vec3> = raster.pixels().iter().map(|&colour| display(colour)).collect();
+        assert_eq!(displayed(&raster).pixels(), expected);
     }
 
     #[test]

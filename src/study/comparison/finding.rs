@@ -1,5 +1,6 @@
 //! What can be said of a picture.
 
+use super::partial::Partial;
 use super::region::Region;
 use super::tone::Curve;
 use crate::envmap::ImageOperation;
@@ -19,8 +20,15 @@ pub enum Finding {
     NotFinite { pixels: usize, first: [usize; 2] },
     /// Width and height differ; mine was resampled.
     Size { mine: [usize; 2], expected: [usize; 2], same_proportions: bool },
-    /// Mine is of one tone, and the expected picture is not: its luma, `[0, 1]`.
-    Flat { luma: f64, alpha: bool },
+    /// Mine is of one tone, and the expected picture is not: its luma, `[0, 1]`, and the standard deviation of the noise
+    /// around it, in codes of 255.
+    Flat { luma: f64, alpha: bool, deviation: f64 },
+    /// The expected picture is of one tone but for noise, and mine is not: standard deviations in codes of 255.
+    ExpectedEven { mine: f64, expected: f64 },
+    /// Mine shows the same things `factor` times as large: the camera has another field of view.
+    Scaled { factor: f64, correlation: f64 },
+    /// A part of mine is as expected, and the rest is something else.
+    Partial { part: Partial },
     /// Nothing in mine stands where the expected picture has it, whichever way it is laid.
     Unrelated { correlation: f64 },
     /// Mine is the expected picture after this operation.
@@ -39,27 +47,30 @@ pub enum Finding {
     Noise { deviation: f64 },
     /// What is left is mostly in one place.
     Region { region: Region },
+    /// What is left lies along edges: this share of the squared difference on this share of the pixels, `[0, 1]`. Its
+    /// standard deviation all over, in codes of 255.
+    Edges { share: f64, area: f64, deviation: f64 },
     /// What is left is all over the picture, and nothing above explains it.
     Everywhere,
 }
-
-/// Mean FLIP in a region that is plainly other.
-const PLAIN: f64 = 0.3;
 
 impl Finding {
     /// True for what makes it another picture, however small the difference in numbers: a missing ball is a small part
     /// of the mean.
     pub fn is_fault(&self) -> bool {
-        if let Finding::Region { region } = self {
-            return region.flip >= PLAIN;
-        }
+        self.is_another_picture()
+            || matches!(self, Finding::NotFinite { .. } | Finding::Laid { .. } | Finding::RedBlueSwapped { .. })
+    }
+
+    /// True if mine shows something else, so that nothing finer can be said.
+    pub fn is_another_picture(&self) -> bool {
         matches!(
             self,
-            Finding::NotFinite { .. }
-                | Finding::Flat { .. }
+            Finding::Flat { .. }
+                | Finding::ExpectedEven { .. }
                 | Finding::Unrelated { .. }
-                | Finding::Laid { .. }
-                | Finding::RedBlueSwapped { .. }
+                | Finding::Scaled { .. }
+                | Finding::Partial { .. }
         )
     }
 }

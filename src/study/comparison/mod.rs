@@ -6,25 +6,35 @@
 //!   laying   which way it is laid, and roughly shifted, by correlation, which hardly sees tones
 //!   tone     gamma, exposure, channels: a small search, the exposure solved in closed form
 //!   shift    to a fraction of a pixel
-//!   rest     clipped highlights, noise, a region, or all over
+//!   rest     clipped highlights, a region, edges, noise, or all over
 //! ```
+//!
+//! Pictures without detail are laid by their colours. Where no laying correlates, another field of view is tried, and
+//! whether a part of the picture fits in place.
 //!
 //! Each finding is kept only if undoing all the others without it leaves decisively more.
 
 mod clipped;
+mod edges;
+mod evenness;
 mod finding;
 mod laid;
 mod noise;
+mod partial;
 mod region;
 mod resized;
+mod rest;
+mod scaled;
 mod search;
 mod shift;
+mod smooth;
 mod structure;
 mod tone;
 mod tone_search;
 mod undoing;
 
 pub use finding::{Evidence, Finding};
+pub use partial::Partial;
 pub use region::Region;
 pub use tone::{Curve, Tone};
 
@@ -46,6 +56,9 @@ pub struct Comparison {
     pub after: Option<View>,
     /// Where they differ most, after undoing what was found.
     pub worst: Region,
+    /// True if the pictures, as they are (but for a shift) or after undoing what was found, are plainly other in one
+    /// place: a mean FLIP of at least 0.3 in their worst region, and not by noise.
+    pub plainly_other: bool,
 }
 
 /// Mine and the expected picture in one size, and how they differ.
@@ -85,14 +98,15 @@ impl Comparison {
             rayon::join(|| view(&Undoing::NOTHING), || (undoing != Undoing::NOTHING).then(|| view(&undoing)));
         let view = after.as_ref().unwrap_or(&before);
         let worst = view.worst_region();
-        let explained =
-            findings.iter().any(|finding| matches!(finding, Finding::Flat { .. } | Finding::Unrelated { .. }));
-        if !explained {
+        if !findings.iter().any(Finding::is_another_picture) {
             let pixels = |raster: &Raster| raster.pixels().len();
             let enlarged = pixels(&mine_raster) < pixels(&expected_raster);
-            findings.extend(search::rest(view, &undoing, worst, enlarged));
+            findings.extend(rest::rest(view, &undoing, worst, enlarged));
         }
-        Self { mine: mine.header(), expected: expected.header(), findings, before, after, worst }
+        let is_plain = |view: &View| rest::is_plainly_other(view, view.worst_region());
+        // A shifted edge is not another thing.
+        let plainly_other = (undoing.shift.is_none() && is_plain(&before)) || after.as_ref().is_some_and(is_plain);
+        Self { mine: mine.header(), expected: expected.header(), findings, before, after, worst, plainly_other }
     }
 
     /// The view that shows what is left: after undoing what was found.
@@ -106,7 +120,8 @@ impl Comparison {
         if same_size && self.findings.is_empty() && self.before.mine == self.before.expected {
             return Verdict::Identical;
         }
-        if within && !self.findings.iter().any(Finding::is_fault) { Verdict::Matches } else { Verdict::Differs }
+        let other = self.plainly_other || self.findings.iter().any(Finding::is_fault);
+        if within && !other { Verdict::Matches } else { Verdict::Differs }
     }
 }
 

@@ -1,7 +1,11 @@
 //! Whether what is left looks like noise.
 
+use super::region::Region;
 use super::undoing::Aligned;
+use crate::math::Vec3;
+use crate::picture::Raster;
 use crate::study::Plane;
+use crate::study::plane::display;
 
 /// The difference of two pictures that else agree.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,17 +25,36 @@ const SMALLEST_NAMED: f64 = 4.0;
 
 impl Residue {
     pub fn of(aligned: &Aligned) -> Self {
-        let difference = Plane::luma(&aligned.mine).zip(&Plane::luma(&aligned.expected), |a, b| a - b);
-        let (width, height) = (difference.width(), difference.height());
+        Self::of_differences(&[Plane::luma(&aligned.mine).zip(&Plane::luma(&aligned.expected), |a, b| a - b)])
+    }
+
+    /// Of all three channels in a region, which is given in pixels of the expected picture; `corner` is where the
+    /// pictures begin in that.
+    pub fn within(mine: &Raster, expected: &Raster, corner: [usize; 2], region: Region) -> Self {
+        let [left, top] = [region.x - corner[0], region.y - corner[1]];
+        let places = (top..top + region.height).flat_map(|y| (left..left + region.width).map(move |x| (x, y)));
+        let difference = |(x, y)| display(mine.pixel(x, y)) - display(expected.pixel(x, y));
+        let differences: Vec<Vec3> = places.map(difference).collect();
+        let plane = |channel: usize| {
+            Plane::new(region.width, region.height, differences.iter().map(|colour| colour[channel]).collect())
+        };
+        Self::of_differences(&[plane(0), plane(1), plane(2)])
+    }
+
+    /// Of planes of one size; their variances add up.
+    fn of_differences(differences: &[Plane]) -> Self {
+        let (width, height) = (differences[0].width(), differences[0].height());
         let square = |value: f64| value * value;
         let count = (width * height) as f64;
-        let variance = difference.values().iter().map(|&value| square(f64::from(value))).sum::<f64>() / count;
+        let squares = |plane: &Plane| plane.values().iter().map(|&value| square(f64::from(value))).sum::<f64>();
+        let variance = differences.iter().map(squares).sum::<f64>() / count;
         let (mut blocks, mut block_variance) = (0usize, 0.0);
         for top in (0..(height / BLOCK) * BLOCK).step_by(BLOCK) {
             for left in (0..(width / BLOCK) * BLOCK).step_by(BLOCK) {
-                let rows = (top..top + BLOCK).flat_map(|y| (left..left + BLOCK).map(move |x| (x, y)));
-                let sum: f64 = rows.map(|(x, y)| f64::from(difference.at(x, y))).sum();
-                block_variance += square(sum / (BLOCK * BLOCK) as f64);
+                let pixels = (top..top + BLOCK).flat_map(|y| (left..left + BLOCK).map(move |x| (x, y)));
+                let sum = |plane: &Plane| pixels.clone().map(|(x, y)| f64::from(plane.at(x, y))).sum::<f64>();
+                block_variance +=
+                    differences.iter().map(|plane| square(sum(plane) / (BLOCK * BLOCK) as f64)).sum::<f64>();
                 blocks += 1;
             }
         }

@@ -22,6 +22,10 @@ pub struct Region {
 const CELL: usize = 8;
 /// Cells this bright, relative to the brightest, belong to its region.
 const BELONGS: f64 = 0.4;
+/// The same where the box of those would hide that its middle is plainly other.
+const BELONGS_TIGHTLY: f64 = 0.75;
+/// Mean FLIP of a region that is plainly other.
+pub(super) const PLAIN: f64 = 0.3;
 
 /// The worst region: the cells around the worst one that differ nearly as much and hang together, as a box.
 pub(super) fn worst(map: &Plane) -> Region {
@@ -36,9 +40,13 @@ pub(super) fn worst(map: &Plane) -> Region {
             peak = index;
         }
     }
-    let [left, top, right, bottom] = component(&smooth, columns, peak);
-    let (xs, ys) = (left * CELL..(right * CELL).min(map.width()), top * CELL..(bottom * CELL).min(map.height()));
-    described(map, xs, ys)
+    let boxed = |belongs: f64| {
+        let [left, top, right, bottom] = component(&smooth, columns, peak, belongs);
+        let (xs, ys) = (left * CELL..(right * CELL).min(map.width()), top * CELL..(bottom * CELL).min(map.height()));
+        described(map, xs, ys)
+    };
+    let region = boxed(BELONGS);
+    if region.flip < PLAIN && smooth[peak] >= PLAIN { boxed(BELONGS_TIGHTLY) } else { region }
 }
 
 fn described(map: &Plane, xs: std::ops::Range<usize>, ys: std::ops::Range<usize>) -> Region {
@@ -68,8 +76,8 @@ fn smoothed(cells: &[f64], columns: usize, rows: usize) -> Vec<f64> {
 }
 
 /// Left, top, right and bottom (the latter exclusive) of the cells that hang together with the peak.
-fn component(cells: &[f64], columns: usize, peak: usize) -> [usize; 4] {
-    let threshold = BELONGS * cells[peak];
+fn component(cells: &[f64], columns: usize, peak: usize, belongs: f64) -> [usize; 4] {
+    let threshold = belongs * cells[peak];
     let mut visited = vec![false; cells.len()];
     let mut waiting = vec![peak];
     visited[peak] = true;

@@ -1,28 +1,24 @@
 //! The search for what was done to a picture.
 
+use super::evenness::Evenness;
 use super::laid::inverse;
-use super::noise::Residue;
+use super::scaled::Scale;
 use super::structure::{self, Match};
-use super::tone_search::{self, Pair};
-use super::undoing::{Aligned, Part, Undoing};
-use super::{Evidence, Finding, Region, Tone, View, clipped, shift};
-use crate::colour::luminance;
+use super::undoing::{Part, Undoing};
+use super::{Evidence, Finding, Tone, partial, scaled, shift, smooth, tone_search};
 use crate::envmap::ImageOperation;
 use crate::math::Vec3;
 use crate::math::functions::binary_logarithm;
 use crate::picture::Raster;
 use crate::study::Plane;
-use crate::study::plane::display;
+use crate::study::plane::displayed;
 
 /// Pictures that correlate less, under the best laying and shift, show different things.
 const RELATED: f64 = 0.5;
+/// Detail lies no farther from where the small pictures have it, in pixels.
+const DETAIL_REACH: f64 = 4.0;
 /// How much more must be left without a finding than with it: a factor, and codes of 255.
 const DECISIVE: (f64, f64) = (1.1, 0.1);
-/// A region is named if it holds this share of the difference, and differs this much.
-const REGION: (f64, f64) = (0.4, 0.15);
-/// Mean FLIP that is left without being noise or a region, and is worth saying.
-const EVERYWHERE: f64 = 0.05;
-
 /// The raster with black in place of what is no finite number, and the finding if there was any.
 pub(super) fn finite(raster: &Raster) -> (Raster, Option<Finding>) {
     let is_unknown = |colour: &Vec3| !colour.is_finite();
@@ -46,77 +42,100 @@ pub(super) fn size_finding(mine: &Raster, expected: &Raster) -> Option<Finding> 
 
 /// What is to be undone, and the findings it stands for.
 pub(super) fn undoing(mine: &Raster, expected: &Raster, alpha: bool) -> (Undoing, Vec<Finding>) {
-    let codes = |raster: &Raster| {
-        Raster::from_pixels(
-            raster.width(),
-            raster.height(),
-            raster.pixels().iter().map(|&colour| display(colour)).collect(),
-        )
+    let (mine_codes, expected_codes) = (displayed(mine), displayed(expected));
+    let related = match related(&mine_codes, &expected_codes, alpha) {
+        Ok(related) => related,
+        Err(finding) => return (Undoing::NOTHING, vec![finding]),
     };
-    let (mine_codes, expected_codes) = (codes(mine), codes(expected));
-    let flat = [&mine_codes, &expected_codes].map(structure::is_flat);
-    let (matched, related) = match flat {
-        [true, false] => {
-            let luma = Plane::of_raster(&mine_codes, luminance).mean();
-            return (Undoing::NOTHING, vec![Finding::Flat { luma, alpha }]);
-        }
-        // Nothing to compare but the tone.
-        [_, true] => (Match { operation: ImageOperation::None, correlation: 0.0, shift: [0, 0] }, flat[0]),
-        _ => {
-            let matched = structure::decided(&structure::matches(&mine_codes, &expected_codes));
-            (matched, matched.correlation >= RELATED)
-        }
-    };
-    if !related {
-        return (Undoing::NOTHING, vec![Finding::Unrelated { correlation: matched.correlation }]);
-    }
-    let tone = tone_search::explained(&pairs(&mine_codes, &expected_codes, &matched));
-    let mut undoing = Undoing { operation: matched.operation, tone, shift: None };
-    if flat == [false, false] {
-        undoing.shift = fine_shift(&undoing, mine, expected, &matched);
+    let matched = related.matched;
+    let pairs = structure::pairs(&mine_codes, &expected_codes, &matched, structure::DECIDING_SIDE);
+    let mut undoing = Undoing { operation: matched.operation, tone: tone_search::explained(&pairs), shift: None };
+    if let Some(reach) = related.reach {
+        undoing.shift = fine_shift(&undoing, mine, expected, &matched, reach);
     }
     confirmed(undoing, mine, expected)
 }
 
-/// Pixels of both made small, mine laid and roughly shifted back.
-fn pairs(mine_codes: &Raster, expected_codes: &Raster, matched: &Match) -> Vec<Pair> {
-    let size = structure::thumbnail_size(expected_codes, structure::DECIDING_SIDE);
-    let mine = structure::thumbnail(mine_codes, matched.operation, size);
-    let expected = structure::thumbnail(expected_codes, ImageOperation::None, size);
-    let linear = |code: Vec3| Vec3::from_array(code.to_array().map(super::tone::decoded));
-    let mut pairs = Vec::with_capacity(size[0] * size[1]);
-    for (x, y) in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y))) {
-        let there = [x as i32 + matched.shift[0], y as i32 + matched.shift[1]];
-        if there[0] < 0 || there[1] < 0 || there[0] >= size[0] as i32 || there[1] >= size[1] as i32 {
-            continue;
+/// Two pictures of the same thing.
+struct Related {
+    matched: Match,
+    /// How far the shift may lie from the rough one, in pixels; none if there is nothing to compare but the tone.
+    reach: Option<f64>,
+}
+
+/// How pictures of display codes belong together, or the finding if they do not.
+fn related(mine: &Raster, expected: &Raster, alpha: bool) -> Result<Related, Finding> {
+    let evenness = [mine, expected].map(Evenness::of);
+    let flat = evenness.map(|evenness| evenness.is_flat());
+    if flat == [false, false] {
+        let matched = structure::decided(&structure::matches(mine, expected));
+        let correlates = matched.correlation >= RELATED;
+        let by_colours = !correlates || structure::is_smooth(mine, expected);
+        if let Some(matched) = by_colours.then(|| smooth::matched(mine, expected)).flatten() {
+            // Their rough shift is not known, and slow changes show a large one as well as a small one.
+            let reach = expected.width().max(expected.height()) as f64 / 10.0;
+            return Ok(Related { matched, reach: Some(reach) });
         }
-        let mine_code = mine.pixel(there[0] as usize, there[1] as usize);
-        let expected_code = expected.pixel(x, y);
-        pairs.push(Pair { mine: linear(mine_code), mine_code, expected: linear(expected_code), expected_code });
+        if correlates {
+            return Ok(Related { matched, reach: Some(DETAIL_REACH) });
+        }
+        return uneven(mine, expected, evenness, &matched, alpha);
     }
-    pairs
+    let nothing = Match { operation: ImageOperation::None, correlation: 0.0, shift: [0, 0] };
+    uneven(mine, expected, evenness, &nothing, alpha)
+}
+
+/// The same for pictures in which nothing correlates.
+fn uneven(
+    mine: &Raster,
+    expected: &Raster,
+    evenness: [Evenness; 2],
+    matched: &Match,
+    alpha: bool,
+) -> Result<Related, Finding> {
+    let [own, other] = evenness;
+    let as_it_is = Match { operation: ImageOperation::None, ..*matched };
+    let in_codes = |evenness: Evenness| 255.0 * evenness.deviation;
+    match [own.is_even(), other.is_even()] {
+        [true, true] => Ok(Related { matched: Match { shift: [0, 0], ..as_it_is }, reach: None }),
+        [true, false] => Err(Finding::Flat { luma: own.luma, alpha, deviation: in_codes(own) }),
+        [false, true] => Err(Finding::ExpectedEven { mine: in_codes(own), expected: in_codes(other) }),
+        [false, false] => Err(scaled::found(mine, expected, &as_it_is).map_or_else(
+            || {
+                partial::found(mine, expected)
+                    .map_or(Finding::Unrelated { correlation: matched.correlation }, |part| Finding::Partial { part })
+            },
+            |Scale { factor, correlation }| Finding::Scaled { factor, correlation },
+        )),
+    }
 }
 
 /// The shift in pixels of the expected picture, from the rough one of the small pictures.
-fn fine_shift(undoing: &Undoing, mine: &Raster, expected: &Raster, matched: &Match) -> Option<[f64; 2]> {
+fn fine_shift(undoing: &Undoing, mine: &Raster, expected: &Raster, matched: &Match, reach: f64) -> Option<[f64; 2]> {
     let size = structure::thumbnail_size(expected, structure::DECIDING_SIDE);
     let scale = [expected.width() as f64 / size[0] as f64, expected.height() as f64 / size[1] as f64];
     let start = [0, 1].map(|axis| f64::from(matched.shift[axis]) * scale[axis]);
     let mine = undoing.unshifted(mine, expected);
-    shift::estimated(&Plane::luma(&mine), &Plane::luma(expected), start)
+    shift::estimated(&Plane::luma(&mine), &Plane::luma(expected), start, reach)
 }
 
 /// The undoing without the parts that explain little, and the findings that the others are.
 fn confirmed(mut undoing: Undoing, mine: &Raster, expected: &Raster) -> (Undoing, Vec<Finding>) {
     let difference = |undoing: &Undoing| undoing.applied(mine, expected).difference();
+    let blurred = |undoing: &Undoing| undoing.applied(mine, expected).blurred_difference();
     loop {
         let parts: Vec<Part> = Undoing::PARTS.into_iter().filter(|&part| undoing.has(part)).collect();
         if parts.is_empty() {
             return (undoing, Vec::new());
         }
         let after = difference(&undoing);
-        let evidence: Vec<Evidence> =
-            parts.iter().map(|&part| Evidence { before: difference(&undoing.without(part)), after }).collect();
+        let evidence = |&part: &Part| match part {
+            Part::Shift if undoing.interpolates() => {
+                Evidence { before: blurred(&undoing.without(part)), after: blurred(&undoing) }
+            }
+            _ => Evidence { before: difference(&undoing.without(part)), after },
+        };
+        let evidence: Vec<Evidence> = parts.iter().map(evidence).collect();
         let idle = |evidence: &Evidence| evidence.before < DECISIVE.0 * evidence.after + DECISIVE.1;
         match evidence.iter().position(idle) {
             Some(index) => undoing = undoing.without(parts[index]),
@@ -143,33 +162,4 @@ fn finding(part: Part, undoing: &Undoing, evidence: Evidence) -> Finding {
             Finding::Shifted { x, y, evidence }
         }
     }
-}
-
-/// What is to be said of the difference that is left. `enlarged`: mine had fewer pixels, and lacks their
-/// detail. What interpolation took away looks like noise, so noise is not named then.
-pub(super) fn rest(view: &View, undoing: &Undoing, worst: Region, enlarged: bool) -> Vec<Finding> {
-    let aligned = Aligned { mine: view.mine.clone(), expected: view.expected.clone(), corner: view.corner };
-    let mut findings = Vec::new();
-    let share = clipped::share(&aligned, &undoing.tone);
-    if share >= 0.002 {
-        findings.push(Finding::ClippedHighlights { share });
-    }
-    // Undone, white is grey where it was cut off: that explains a difference in one place.
-    let cut_shows = share >= 0.002 && undoing.tone.undone(Vec3::ONE).min_element() < 0.99;
-    let residue = Residue::of(&aligned);
-    let interpolated = enlarged || undoing.shift.is_some_and(|shift| shift.iter().any(|along| along.fract() != 0.0));
-    if cut_shows || (interpolated && residue.is_noise()) {
-        return findings;
-    }
-    if residue.is_notable_noise() {
-        findings.push(Finding::Noise { deviation: residue.deviation });
-    } else if !residue.is_noise() {
-        let stands_out = worst.share >= REGION.0 && worst.flip >= REGION.1 && worst.flip >= 4.0 * worst.flip_outside;
-        if stands_out {
-            findings.push(Finding::Region { region: worst });
-        } else if view.metrics.flip > EVERYWHERE {
-            findings.push(Finding::Everywhere);
-        }
-    }
-    findings
 }

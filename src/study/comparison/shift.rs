@@ -14,15 +14,15 @@ const SMALLEST: f64 = 0.2;
 const DECISIVE: f64 = 1.3;
 
 /// The shift of mine against the expected picture, x and y in pixels: mine shows at `p + shift` what the expected one
-/// shows at `p`. None if there is none, or no shift explains much.
+/// shows at `p`. None if there is none within `reach` of `start`, or no shift explains much.
 ///
 /// Lucas and Kanade, An Iterative Image Registration Technique, 1981, for one translation of the whole picture, with
 /// the gradients of the expected picture (Baker and Matthews, Lucas-Kanade 20 Years On, 2004, inverse composition).
-pub(super) fn estimated(mine: &Plane, expected: &Plane, start: [f64; 2]) -> Option<[f64; 2]> {
+pub(super) fn estimated(mine: &Plane, expected: &Plane, start: [f64; 2], reach: f64) -> Option<[f64; 2]> {
     let kernel = gaussian(1.0, 3);
     let smooth = |plane: &Plane| plane.filtered(&kernel, &kernel);
     let (mine, expected) = (smooth(mine), smooth(expected));
-    let shift = refined(&mine, &expected, start)?.map(snapped);
+    let shift = refined(&mine, &expected, start, reach)?.map(snapped);
     let length = (shift[0] * shift[0] + shift[1] * shift[1]).sqrt();
     let decisive = || difference(&mine, &expected, [0.0; 2]) > DECISIVE * difference(&mine, &expected, shift) + 5e-4;
     (length >= SMALLEST && decisive()).then_some(shift)
@@ -36,7 +36,7 @@ fn snapped(shift: f64) -> f64 {
 }
 
 /// Steps towards the shift of least squared difference. None if the picture has no detail to hold on to.
-fn refined(mine: &Plane, expected: &Plane, start: [f64; 2]) -> Option<[f64; 2]> {
+fn refined(mine: &Plane, expected: &Plane, start: [f64; 2], reach: f64) -> Option<[f64; 2]> {
     let mut shift = start;
     for _ in 0..20 {
         let step = step(mine, expected, shift)?;
@@ -45,7 +45,7 @@ fn refined(mine: &Plane, expected: &Plane, start: [f64; 2]) -> Option<[f64; 2]> 
             break;
         }
     }
-    let far = |axis: usize| (shift[axis] - start[axis]).abs() > 4.0;
+    let far = |axis: usize| (shift[axis] - start[axis]).abs() > reach;
     if far(0) || far(1) { None } else { Some(shift) }
 }
 
@@ -181,12 +181,12 @@ mod tests {
     fn finds_what_it_was_shifted_by() {
         for shift in [[1.0, 0.0], [0.5, 0.5], [-0.5, 0.0], [3.0, -2.0], [0.3, -1.3]] {
             // What the expected scene has at p, mine has at p + shift.
-            let found = estimated(&scene([-shift[0], -shift[1]]), &scene([0.0; 2]), [0.0; 2]).unwrap();
+            let found = estimated(&scene([-shift[0], -shift[1]]), &scene([0.0; 2]), [0.0; 2], 4.0).unwrap();
             for axis in 0..2 {
                 assert!((found[axis] - shift[axis]).abs() < 0.06, "{found:?} for {shift:?}");
             }
         }
-        assert_eq!(estimated(&scene([0.0; 2]), &scene([0.0; 2]), [0.0; 2]), None);
+        assert_eq!(estimated(&scene([0.0; 2]), &scene([0.0; 2]), [0.0; 2], 4.0), None);
     }
 
     #[test]

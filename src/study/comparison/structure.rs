@@ -5,8 +5,11 @@
 
 use super::laid::{OPERATIONS, exchanges_sides, laid};
 use super::resized::resized;
+use super::tone::decoded;
+use super::tone_search::Pair;
 use crate::colour::luminance;
 use crate::envmap::ImageOperation;
+use crate::math::Vec3;
 use crate::picture::Raster;
 use crate::study::plane::{Plane, gaussian};
 
@@ -15,8 +18,8 @@ const SEARCHED_SIDE: usize = 64;
 pub(super) const DECIDING_SIDE: usize = 256;
 /// Shifts searched, in pixels of the small pictures: a tenth of the picture.
 const REACH: i32 = 6;
-/// Below this standard deviation of the luma a picture shows nothing.
-const FLAT: f64 = 0.002;
+/// Detail that deviates by less, a code and a half, may be what a lossy file left.
+const SMOOTH: f64 = 0.006;
 
 /// The best match under one laying.
 #[derive(Debug, Clone, Copy)]
@@ -63,16 +66,37 @@ pub(super) fn decided(matches: &[Match]) -> Match {
     if decisive { best } else { as_it_is }
 }
 
-/// True if the picture shows nothing but one tone.
-pub(super) fn is_flat(codes: &Raster) -> bool {
-    let luma = Plane::of_raster(codes, luminance);
-    let mean = luma.mean();
-    let variance = luma.values().iter().map(|&value| (f64::from(value) - mean) * (f64::from(value) - mean));
-    (variance.sum::<f64>() / luma.values().len() as f64).sqrt() < FLAT
+/// True if one of the pictures has so little detail that what a lossy file leaves may rule it.
+pub(super) fn is_smooth(mine: &Raster, expected: &Raster) -> bool {
+    let deviation = |raster: &Raster| {
+        let detail = detail(&thumbnail(raster, ImageOperation::None, thumbnail_size(raster, DECIDING_SIDE)));
+        let squares = detail.values().iter().map(|&value| f64::from(value) * f64::from(value));
+        (squares.sum::<f64>() / detail.values().len() as f64).sqrt()
+    };
+    deviation(mine).min(deviation(expected)) < SMOOTH
+}
+
+/// Pixels of both made small, their long side at most `side`; mine laid and roughly shifted back.
+pub(super) fn pairs(mine_codes: &Raster, expected_codes: &Raster, matched: &Match, side: usize) -> Vec<Pair> {
+    let size = thumbnail_size(expected_codes, side);
+    let mine = thumbnail(mine_codes, matched.operation, size);
+    let expected = thumbnail(expected_codes, ImageOperation::None, size);
+    let linear = |code: Vec3| Vec3::from_array(code.to_array().map(decoded));
+    let mut pairs = Vec::with_capacity(size[0] * size[1]);
+    for (x, y) in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| (x, y))) {
+        let there = [x as i32 + matched.shift[0], y as i32 + matched.shift[1]];
+        if there[0] < 0 || there[1] < 0 || there[0] >= size[0] as i32 || there[1] >= size[1] as i32 {
+            continue;
+        }
+        let mine_code = mine.pixel(there[0] as usize, there[1] as usize);
+        let expected_code = expected.pixel(x, y);
+        pairs.push(Pair { mine: linear(mine_code), mine_code, expected: linear(expected_code), expected_code });
+    }
+    pairs
 }
 
 /// The layings that give mine the proportions of the expected picture; without quarter turns if none does.
-fn plausible(mine: &Raster, expected: &Raster) -> Vec<ImageOperation> {
+pub(super) fn plausible(mine: &Raster, expected: &Raster) -> Vec<ImageOperation> {
     let fits = |operation: &ImageOperation| {
         let (width, height) =
             if exchanges_sides(*operation) { (mine.height(), mine.width()) } else { (mine.width(), mine.height()) };
@@ -110,7 +134,7 @@ pub(super) fn thumbnail(raster: &Raster, operation: ImageOperation, [width, heig
 }
 
 /// The luma without slow changes and without the finest noise.
-fn detail(codes: &Raster) -> Plane {
+pub(super) fn detail(codes: &Raster) -> Plane {
     let luma = Plane::of_raster(codes, luminance);
     let (fine, wide) = (gaussian(0.7, 2), gaussian(luma.width().max(luma.height()) as f64 / 16.0, SEARCHED_SIDE / 8));
     let smooth = luma.filtered(&fine, &fine);
@@ -133,7 +157,7 @@ fn best_shift(mine: &Plane, expected: &Plane, start: [i32; 2], reach: i32) -> (f
 }
 
 /// Normalised cross-correlation of `mine(p + shift)` and `expected(p)` where both are; 0 if one is nothing there.
-fn correlation(mine: &Plane, expected: &Plane, [x, y]: [i32; 2]) -> f64 {
+pub(super) fn correlation(mine: &Plane, expected: &Plane, [x, y]: [i32; 2]) -> f64 {
     let range = |shift: i32, length: usize| {
         let length = length as i32;
         (-shift).clamp(0, length) as usize..(length - shift).clamp(0, length) as usize

@@ -27,6 +27,11 @@ pub(super) struct Pair {
 
 /// The tone that explains the pairs best for its number of findings.
 pub(super) fn explained(pairs: &[Pair]) -> Tone {
+    explanation(pairs).0
+}
+
+/// That tone, and what it costs: the mean difference that it leaves, times the price of its findings.
+pub(super) fn explanation(pairs: &[Pair]) -> (Tone, f64) {
     let stride = pairs.len().div_ceil(SAMPLES).max(1);
     let pairs: Vec<Pair> = pairs.iter().step_by(stride).copied().collect();
     let mut best = (Tone::AS_EXPECTED, residual(&pairs, &Tone::AS_EXPECTED) + FLOOR);
@@ -36,7 +41,7 @@ pub(super) fn explained(pairs: &[Pair]) -> Tone {
             best = (tone, cost);
         }
     }
-    best.0
+    best
 }
 
 /// All hypotheses, and how many findings each is.

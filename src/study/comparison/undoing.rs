@@ -6,7 +6,8 @@ use super::shift;
 use super::tone::{Curve, Tone};
 use crate::envmap::ImageOperation;
 use crate::picture::Raster;
-use crate::study::plane::display;
+use crate::study::plane::{Plane, display, gaussian};
+use rayon::prelude::*;
 
 /// What is done to mine to make it the expected picture.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,14 +57,17 @@ impl Undoing {
         *self != self.without(part)
     }
 
+    /// True if it shifts by a part of a pixel, so that mine is interpolated.
+    pub fn interpolates(&self) -> bool {
+        self.shift.is_some_and(|shift| shift.iter().any(|along| along.fract() != 0.0))
+    }
+
     /// Mine laid, in the size of the expected picture and with its tone undone, but not shifted.
     pub fn unshifted(&self, mine: &Raster, expected: &Raster) -> Raster {
         let turned = if self.operation == ImageOperation::None { mine.clone() } else { laid(mine, self.operation) };
         let mut sized = resized(&turned, expected.width(), expected.height());
         if self.tone != Tone::AS_EXPECTED {
-            for pixel in sized.pixels_mut() {
-                *pixel = self.tone.undone(*pixel);
-            }
+            sized.pixels_mut().par_iter_mut().for_each(|pixel| *pixel = self.tone.undone(*pixel));
         }
         sized
     }
@@ -80,6 +84,15 @@ impl Undoing {
 }
 
 impl Aligned {
+    /// The mean difference of the displayed lumas, both blurred by a pixel, in codes of 255: interpolating between
+    /// pixels cannot restore rough edges, so this shows whether it brought them together.
+    pub fn blurred_difference(&self) -> f64 {
+        let kernel = gaussian(1.0, 3);
+        let blurred = |raster: &Raster| Plane::luma(raster).filtered(&kernel, &kernel);
+        let difference = blurred(&self.mine).zip(&blurred(&self.expected), |a, b| (a - b).abs());
+        255.0 * difference.mean()
+    }
+
     /// The mean difference on display, in codes of 255; of large pictures, that of every few pixels.
     pub fn difference(&self) -> f64 {
         // An odd stride that no usual width is a multiple of.

@@ -17,6 +17,7 @@ use crate::math::Vec3;
 use crate::math::functions::power;
 use crate::picture::Raster;
 use crate::study::Plane;
+use rayon::prelude::*;
 
 /// Pixels a degree of the visual field: a monitor 0.7 m wide with 3840 pixels seen from 0.7 m, as in the paper.
 pub const PIXELS_A_DEGREE: f64 = 67.020_643_276_582_25;
@@ -27,14 +28,13 @@ pub const PIXELS_A_DEGREE: f64 = 67.020_643_276_582_25;
 pub fn flip_map(picture: &Raster, reference: &Raster) -> Plane {
     check_sizes(picture, reference);
     let ((colours_a, features_a), (colours_b, features_b)) = rayon::join(|| seen(picture), || seen(reference));
-    let count = colours_a.len();
-    let mut values = Vec::with_capacity(count);
-    for index in 0..count {
+    let value = |index: usize| {
         let colour = colour_difference::redistributed(colour_difference::distance(colours_a[index], colours_b[index]));
         let feature = features_a.difference(&features_b, index);
         let unknown = picture.pixels()[index].is_nan() || reference.pixels()[index].is_nan();
-        values.push(if unknown { f32::NAN } else { power(colour, 1.0 - feature) });
-    }
+        if unknown { f32::NAN } else { power(colour, 1.0 - feature) }
+    };
+    let values = (0..colours_a.len()).into_par_iter().map(value).collect();
     Plane::new(picture.width(), picture.height(), values)
 }
 
@@ -57,7 +57,7 @@ fn seen(picture: &Raster) -> (Vec<Vec3>, features::Features) {
         let opponent = Vec3::new(y.values()[index], x.values()[index], z.values()[index]);
         colour_space::hunt_adjusted(colour_space::lab_of_opponent(opponent))
     };
-    ((0..opponents.len()).map(colour).collect(), features)
+    ((0..opponents.len()).into_par_iter().map(colour).collect(), features)
 }
 
 #[cfg(test)]

@@ -1,0 +1,96 @@
+//! Pictures that show nothing but one tone, or one tone and noise.
+
+use crate::colour::luminance;
+use crate::picture::Raster;
+use crate::study::Plane;
+
+/// Below this standard deviation of the luma a picture shows nothing.
+const FLAT: f64 = 0.002;
+/// Side of the blocks whose means are compared.
+const BLOCK: usize = 8;
+/// Block means that differ by less, a code and a half, show nothing: a lossy file leaves that.
+const STEADY: f64 = 0.006;
+/// Variance of the block means against that of independent pixels.
+const LARGEST_OF_NOISE: f64 = 3.0;
+/// More than this is no noise around one tone.
+const LOUDEST: f64 = 0.15;
+
+/// How far the luma of a picture scatters, in codes of `[0, 1]`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Evenness {
+    /// Mean luma.
+    pub luma: f64,
+    /// Standard deviation of the pixels.
+    pub deviation: f64,
+    /// Standard deviation of the means of blocks.
+    block_deviation: f64,
+}
+
+impl Evenness {
+    /// Of a picture of display codes.
+    pub fn of(codes: &Raster) -> Self {
+        let luma = Plane::of_raster(codes, luminance);
+        let mean = luma.mean();
+        let square = |value: f64| (value - mean) * (value - mean);
+        let variance = luma.values().iter().map(|&value| square(f64::from(value))).sum::<f64>();
+        let blocks = block_means(&luma);
+        let block_variance = blocks.iter().map(|&value| square(value)).sum::<f64>();
+        Self {
+            luma: mean,
+            deviation: (variance / luma.values().len() as f64).sqrt(),
+            block_deviation: (block_variance / blocks.len().max(1) as f64).sqrt(),
+        }
+    }
+
+    /// True if every pixel is of one tone.
+    pub fn is_flat(&self) -> bool {
+        self.deviation < FLAT
+    }
+
+    /// True if there is one tone, and around it nothing but noise.
+    pub fn is_even(&self) -> bool {
+        let independent = self.deviation / BLOCK as f64;
+        let quiet = self.block_deviation < STEADY || self.block_deviation < LARGEST_OF_NOISE.sqrt() * independent;
+        self.is_flat() || (quiet && self.deviation < LOUDEST)
+    }
+}
+
+/// The means of the whole blocks; of all pixels if there is no whole block.
+fn block_means(luma: &Plane) -> Vec<f64> {
+    let (columns, rows) = (luma.width() / BLOCK, luma.height() / BLOCK);
+    if columns == 0 || rows == 0 {
+        return luma.values().iter().map(|&value| f64::from(value)).collect();
+    }
+    let mean = |index: usize| {
+        let (left, top) = (index % columns * BLOCK, index / columns * BLOCK);
+        let pixels = (top..top + BLOCK).flat_map(|y| (left..left + BLOCK).map(move |x| (x, y)));
+        pixels.map(|(x, y)| f64::from(luma.at(x, y))).sum::<f64>() / (BLOCK * BLOCK) as f64
+    };
+    (0..columns * rows).map(mean).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::Vec3;
+
+    #[test]
+    fn noise_is_even_and_a_gradient_or_a_patch_is_not() {
+        let mut state = 1u32;
+        let mut noise = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            (state >> 8) as f32 / (1 << 24) as f32 - 0.5
+        };
+        let noisy = Raster::from_function(160, 120, |_, _| Vec3::splat(0.5 + 0.2 * noise()));
+        assert!(Evenness::of(&noisy).is_even() && !Evenness::of(&noisy).is_flat());
+        let gradient = Raster::from_function(160, 120, |x, _| Vec3::splat(0.5 + 0.0005 * x as f32));
+        let mut shaped = |x: usize, y: usize| {
+            let patch = if (40..72).contains(&x) && (40..72).contains(&y) { 0.1 } else { 0.0 };
+            Vec3::splat(0.5 + patch + 0.1 * noise())
+        };
+        let shaped = Raster::from_function(160, 120, &mut shaped);
+        for picture in [gradient, shaped] {
+            assert!(!Evenness::of(&picture).is_even(), "{:?}", Evenness::of(&picture));
+        }
+    }
+}
