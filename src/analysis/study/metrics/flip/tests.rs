@@ -5,7 +5,7 @@ use std::path::Path;
 use super::*;
 
 fn compass(face: &str) -> Raster {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("envmaps/compass/{face}.png"));
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(format!("../../envmaps/compass/{face}.png"));
     crate::picture::read(&path).unwrap().to_raster()
 }
 

@@ -9,10 +9,10 @@ mod ray_source;
 mod renderer;
 mod tile;
 
-pub(crate) use film::{Keeps, TileFilm};
-
 pub use axis_shots::{AxisShot, front};
+pub use film::{Keeps, TileFilm};
 pub use layers::Layers;
 pub use progress::{Progress, Silent};
 pub use progressive::{Budget, render_progressively};
 pub use renderer::{PixelSample, Renderer, Rendering, bake_face, render};
+pub use tile::Tile;

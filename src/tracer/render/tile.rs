@@ -2,7 +2,7 @@
 
 /// A rectangle of a picture, in pixels from the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) struct Tile {
+pub struct Tile {
     pub x: usize,
     pub y: usize,
     pub width: usize,
@@ -26,6 +26,7 @@ impl Tile {
         (self.y..self.y + self.height).flat_map(move |y| (self.x..self.x + self.width).map(move |x| [x, y]))
     }
 
+    /// How many pixels it has.
     pub fn area(self) -> usize {
         self.width * self.height
     }

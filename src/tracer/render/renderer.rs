@@ -84,7 +84,7 @@ impl<'a> Renderer<'a> {
 
     /// Adds samples to every pixel. After an error (a picture that cannot be decoded, or the rendering was cancelled)
     /// some tiles may have them and others not; each is right by itself.
-    pub fn add_samples(&mut self, count: u32, progress: &impl Progress) -> Result<()> {
+    pub fn add_samples(&mut self, count: u32, progress: &dyn Progress) -> Result<()> {
         let last = self.samples + count;
         let Self { scene, integrator, source, media, sampling, centred, tiles, .. } = self;
         let pass = Pass { scene, integrator, source, media, sampling: *sampling, centred: *centred, last };
@@ -148,7 +148,7 @@ struct Pass<'p, 'a> {
 
 impl Pass<'_, '_> {
     /// Adds the samples of the pass to a tile, all of them or none.
-    fn expose(&self, film: &mut TileFilm, progress: &impl Progress) -> Result<()> {
+    fn expose(&self, film: &mut TileFilm, progress: &dyn Progress) -> Result<()> {
         let mut exposed = film.copy_for_pass();
         for (pixel, place) in film.tile.pixels().enumerate() {
             // With many samples a pixel takes long: a cancelled tile is not finished.
@@ -205,7 +205,7 @@ impl Pass<'_, '_> {
 
 /// Renders all samples of the scene. An error tells that a picture of the environment could not be decoded, or that the
 /// rendering was cancelled.
-pub fn render(scene: &Scene, plan: &Plan, progress: &impl Progress) -> Result<Rendering> {
+pub fn render(scene: &Scene, plan: &Plan, progress: &dyn Progress) -> Result<Rendering> {
     let mut renderer = Renderer::new(scene, plan)?;
     renderer.add_samples(scene.samples, progress)?;
     Ok(renderer.rendering(false))
@@ -220,7 +220,7 @@ pub fn bake_face(
     face: Face,
     size: usize,
     position: DVec3,
-    progress: &impl Progress,
+    progress: &dyn Progress,
 ) -> Result<Rendering> {
     let mut renderer = Renderer::from_source(scene, plan, RaySource::Face { lookup, face, size, position }, false)?;
     renderer.add_samples(scene.samples, progress)?;

@@ -122,7 +122,7 @@ impl<'a> Run<'a> {
         Ok(Self { renderer, time: started.elapsed() })
     }
 
-    fn grow(&mut self, samples: u32, progress: &impl Progress) -> Result<()> {
+    fn grow(&mut self, samples: u32, progress: &dyn Progress) -> Result<()> {
         let started = Instant::now();
         self.renderer.add_samples(samples - self.renderer.samples(), progress)?;
         self.time += started.elapsed();

@@ -17,7 +17,7 @@ const OPENGL: [[(usize, f32); 2]; 6] = [
 
 /// A real map by its path in the folder of maps. None, with a word on it, where the maps are missing.
 fn real_map(name: &str) -> Option<PathBuf> {
-    let beside = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../shared/envmaps");
+    let beside = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/envmaps");
     let path = std::env::var_os("SKYCUBE_SHARED_MAPS").map_or_else(beside, PathBuf::from).join(name);
     if !path.exists() {
         println!("skipped: {} is not there", path.display());

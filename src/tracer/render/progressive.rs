@@ -20,7 +20,7 @@ const MOST_SAMPLES: u32 = 1 << 24;
 
 /// Renders in passes until the budget is spent. Asked to stop by `progress`, gives the picture so far, marked as
 /// stopped; before the first sample of every pixel is there, an error.
-pub fn render_progressively(mut renderer: Renderer, budget: Budget, progress: &impl Progress) -> Result<Rendering> {
+pub fn render_progressively(mut renderer: Renderer, budget: Budget, progress: &dyn Progress) -> Result<Rendering> {
     let started = Instant::now();
     while let Some(count) = next_pass(renderer.samples(), budget, started.elapsed()) {
         if let Err(error) = renderer.add_samples(count, progress) {

@@ -10,10 +10,12 @@ use crate::picture::Raster;
 
 /// The part of the film under one tile, all its pixels with the same count of samples.
 #[derive(Debug, Clone)]
-pub(crate) struct TileFilm {
+pub struct TileFilm {
+    /// Where in the picture.
     pub tile: Tile,
     /// Samples a pixel so far.
     pub samples: u32,
+    /// Rays traced for all of them.
     pub counts: RayCounts,
     keeps: Keeps,
     /// Sums of radiance times filter weight, in `f64` so that many samples do not lose the small ones; empty before the
@@ -27,7 +29,7 @@ pub(crate) struct TileFilm {
 
 /// What a film keeps of every sample beside its weighted radiance.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Keeps {
+pub struct Keeps {
     /// Samples count differently: their weights.
     pub weights: bool,
     /// Layers were asked for.
