@@ -8,7 +8,8 @@
 //! - `src`: what a user meets.
 
 pub use skycube_tracer::{
-    bvh, camera, colour, envmap, error, integrators, lights, materials, math, memory, picture, render, sampling, scene, shapes,
+    bvh, camera, colour, envmap, error, integrators, lights, materials, math, memory, parallel, picture, render,
+    sampling, scene, shapes,
 };
 
 pub use skycube_analysis::{study, validate};

@@ -4,6 +4,7 @@
 
 pub mod error;
 pub mod memory;
+pub mod parallel;
 
 pub mod math;
 

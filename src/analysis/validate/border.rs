@@ -7,13 +7,12 @@
 //!     2        . . . . . . . .
 //! ```
 
-use rayon::prelude::*;
-
 use super::display::{Display, is_radiance};
 use super::edge::Side;
 use crate::envmap::{CubeMap, Face, FaceLookup, FacePoint, Lookup};
 use crate::error::Result;
 use crate::math::Vec3;
+use crate::parallel;
 use crate::picture::{Format, Picture};
 
 /// The side of a block of a JPEG file, each of which is compressed on its own.
@@ -94,7 +93,7 @@ pub fn read_borders(map: &CubeMap) -> Result<Borders> {
     }
     let display = display_of(&lookup, &pictures);
     let read = |image: Face| read_image(&lookup, image, pictures[image.index()], display);
-    let borders: Vec<ImageBorders> = Face::ALL.into_par_iter().map(read).collect();
+    let borders = parallel::map(Face::ALL, read);
     Ok(borders.try_into().expect("there are six images"))
 }
 

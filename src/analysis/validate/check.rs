@@ -1,7 +1,5 @@
 //! The check of one map, from its pictures to the verdict.
 
-use rayon::prelude::*;
-
 use super::arrangement::{Arrangement, Puzzle};
 use super::border::read_borders;
 use super::convention::{self, Convention};
@@ -16,6 +14,7 @@ use super::solve::{Question, Solution, UNRELATED, corrected};
 use crate::envmap::source::Skybox;
 use crate::envmap::{CubeFilter, CubeMap, Face, Laying, LazyImage, Lookup, SignedAxis};
 use crate::error::Result;
+use crate::parallel;
 use crate::picture::{Format, Picture};
 
 /// What a map, or one seam of it, is found to be.
@@ -157,7 +156,7 @@ impl Fix {
 
 /// Decodes all six images at once. The first one that cannot be decoded is the error.
 pub fn load(skybox: &Skybox, lookup: Lookup) -> Result<CubeMap> {
-    let decoded: Result<Vec<Picture>> = skybox.images.par_iter().map(|image| image.decode()).collect();
+    let decoded: Result<Vec<Picture>> = parallel::map(&skybox.images, |image| image.decode()).into_iter().collect();
     let images: Vec<LazyImage> = decoded?.into_iter().map(LazyImage::ready).collect();
     Ok(CubeMap::new(images.try_into().expect("there are six images"), lookup, CubeFilter::Nearest))
 }

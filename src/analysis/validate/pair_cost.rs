@@ -6,8 +6,6 @@
 //! exposed otherwise, then counts as one surprise and not as a thousand. `s^2` is the product of the two sides' own
 //! changes, so that over all ways to lay the six faces the sum is a fair comparison: every side is used once.
 
-use rayon::prelude::*;
-
 use super::agreement::Correlation;
 use super::border::ImageBorders;
 use super::display::Display;
@@ -15,6 +13,7 @@ use super::edge::{Border, Side};
 use super::signal::{Colour, Signal, band_of};
 use crate::envmap::Face;
 use crate::math::functions::logarithm;
+use crate::parallel;
 
 /// Coarse coefficients, each a unit of its own.
 const COARSE: usize = 16;
@@ -57,7 +56,7 @@ impl PairCosts {
         let cost = |&(one, other): &(usize, usize)| {
             [&forwards, &backwards].map(|others| pair(&forwards[one], &others[other], &floors))
         };
-        let costs: Vec<[Units; 2]> = pairs.par_iter().map(cost).collect();
+        let costs: Vec<[Units; 2]> = parallel::map(&pairs, cost);
         for ((one, other), costs) in pairs.into_iter().zip(costs) {
             for (reversed, cost) in [false, true].into_iter().zip(costs) {
                 units[index(one, other, reversed)] = cost;

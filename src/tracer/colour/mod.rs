@@ -1,8 +1,10 @@
 //! Linear RGB (Rec. 709 primaries), the sRGB encoding of files, and tone mapping.
 
+mod colour_map;
 mod srgb;
 mod tone_map;
 
+pub use colour_map::magma;
 pub use srgb::{SRGB8_TO_LINEAR, decode_srgb8, decode_srgb16, encode_srgb};
 pub use tone_map::{Encoding, ToneMap};
 

@@ -1,13 +1,12 @@
 //! A quantity over the cosine of a direction with the normal, tabulated; and a lobe shaped by it.
 
-use rayon::prelude::*;
-
 use super::microfacet::Microfacets;
 use super::octaves::Octaves;
 use super::quadrature::integral;
 use super::visible_average::{Facet, average_over_visible};
 use crate::math::DVec3;
 use crate::math::functions::sin_cos_turns;
+use crate::parallel;
 
 /// Change at which the quadrature over the azimuth is content: well below the error of the table between its nodes.
 const TOLERANCE: f64 = 2e-6;
@@ -117,8 +116,8 @@ fn interpolated(low: f64, high: f64, place: f64) -> f64 {
 
 /// Values at all nodes: computed where the function bends, and between them from a cubic through computed ones where that
 /// predicts the middle. In the range of cosines `bump` all are computed.
-fn node_values(octaves: &Octaves, bump: Option<[f64; 2]>, value: &(impl Fn(usize) -> f64 + Sync)) -> Vec<f64> {
-    let coarse: Vec<f64> = (0..=octaves.count() / STRIDE).into_par_iter().map(|node| value(node * STRIDE)).collect();
+fn node_values(octaves: &Octaves, bump: Option<[f64; 2]>, value: &(dyn Fn(usize) -> f64 + Sync)) -> Vec<f64> {
+    let coarse: Vec<f64> = parallel::map(0..=octaves.count() / STRIDE, |node| value(node * STRIDE));
     let fill = |interval: usize| {
         let mut values = [0.0; STRIDE + 1];
         (values[0], values[STRIDE]) = (coarse[interval], coarse[interval + 1]);
@@ -133,14 +132,14 @@ fn node_values(octaves: &Octaves, bump: Option<[f64; 2]>, value: &(impl Fn(usize
         }
         values
     };
-    let filled: Vec<_> = (0..octaves.count() / STRIDE).into_par_iter().map(fill).collect();
+    let filled = parallel::map(0..octaves.count() / STRIDE, fill);
     filled.iter().flat_map(|values| &values[..STRIDE]).chain(coarse.last()).copied().collect()
 }
 
 /// Fills the nodes between two, counted from `first`; `outer` is a node further out and its value.
 fn refine(
     octaves: &Octaves,
-    value: &impl Fn(usize) -> f64,
+    value: &dyn Fn(usize) -> f64,
     first: usize,
     [low, high]: [usize; 2],
     outer: (f64, f64),

@@ -5,13 +5,13 @@ use std::path::Path;
 use image::codecs::hdr::HdrEncoder;
 use image::codecs::jpeg::JpegEncoder;
 use image::{ExtendedColorType, ImageError};
-use rayon::prelude::*;
 
 use super::remark::with_remark;
 use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, openexr, write_atomically};
 use crate::colour::{Encoding, ToneMap};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
+use crate::parallel;
 
 /// What the 8- and 16-bit formats need to know. OpenEXR and HDR hold the linear radiance and ask for nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -95,7 +95,7 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
 }
 
 /// The display colours as whole numbers from 0 to `largest`, rounded to nearest.
-fn quantised<T: Send>(
+fn quantised<T: Send + Clone>(
     raster: &Raster,
     options: &WriteOptions,
     largest: f32,
@@ -103,7 +103,9 @@ fn quantised<T: Send>(
 ) -> Vec<T> {
     let display = |&colour: &Vec3| options.tone_map.display_as(colour, options.encoding).to_array();
     let numbers = |colour| display(colour).map(|value| number((value * largest).round()));
-    raster.pixels().par_iter().with_min_len(4096).flat_map_iter(numbers).collect()
+    let parts =
+        parallel::map(raster.pixels().chunks(4096), |pixels| pixels.iter().flat_map(&numbers).collect::<Vec<T>>());
+    parts.concat()
 }
 
 fn bytes(raster: &Raster, options: &WriteOptions) -> Vec<u8> {

@@ -5,6 +5,7 @@
 mod atomic_file;
 mod bilinear;
 mod decode;
+mod display;
 mod encode;
 mod foreign;
 mod format;
@@ -16,12 +17,14 @@ mod pixel_codecs;
 mod png;
 mod raster;
 mod remark;
+mod resize;
 mod texels;
 mod texture;
 
 pub use atomic_file::{check_target, write_atomically, write_if_absent};
 pub use bilinear::Footprint;
 pub use decode::{decode, read, read_file_header, read_header};
+pub use display::{display_bytes, without_opacity};
 pub use encode::{Extras, SideLayer, WriteOptions, encode, write, write_with};
 pub use format::Format;
 pub use openexr::{EnvironmentLayout, exr_environment};

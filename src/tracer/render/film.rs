@@ -1,11 +1,10 @@
 //! The film: what the samples of every pixel add up to.
 
-use rayon::prelude::*;
-
 use super::layers::{LayerSums, Layers};
 use super::tile::Tile;
 use crate::integrators::{FirstHit, RayCounts};
 use crate::math::{DVec3, Vec3};
+use crate::parallel;
 use crate::picture::Raster;
 
 /// The part of the film under one tile, all its pixels with the same count of samples.
@@ -97,8 +96,8 @@ impl TileFilm {
 /// The picture on the film of all tiles, given row by row; bands of tiles in parallel.
 pub(super) fn develop(tiles: &[TileFilm], [width, height]: [usize; 2]) -> Raster {
     let mut raster = Raster::filled(width, height, Vec3::ZERO);
-    let bands = raster.pixels_mut().par_chunks_mut(width * Tile::SIDE);
-    bands.zip(tiles.par_chunks(width.div_ceil(Tile::SIDE))).for_each(|(band, tiles)| {
+    let bands = raster.pixels_mut().chunks_mut(width * Tile::SIDE);
+    parallel::for_each(bands.zip(tiles.chunks(width.div_ceil(Tile::SIDE))), |(band, tiles)| {
         for film in tiles {
             let tile = film.tile;
             for row in 0..tile.height {

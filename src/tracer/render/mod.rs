@@ -3,6 +3,7 @@
 mod axis_shots;
 mod film;
 mod layers;
+mod map_view;
 mod progress;
 mod progressive;
 mod ray_source;

@@ -1,6 +1,6 @@
 //! How much is tried, and trying much at once with the same outcome on any number of threads.
 
-use rayon::prelude::*;
+use crate::parallel;
 
 use super::random::Random;
 
@@ -31,7 +31,7 @@ pub fn worst_of<T: Send>(count: usize, seed: u64, measure: impl Fn(&mut Random) 
         let size = CHUNK.min(count - chunk * CHUNK);
         (0..size).map(|_| measure(&mut random)).map(number_or_infinite).reduce(worse).expect("a chunk is not empty")
     };
-    let chunks: Vec<_> = (0..count.div_ceil(CHUNK)).into_par_iter().map(of_chunk).collect();
+    let chunks = parallel::map(0..count.div_ceil(CHUNK), of_chunk);
     chunks.into_iter().reduce(worse).expect("at least one input")
 }
 
@@ -48,7 +48,7 @@ pub fn faults_of<T: Send>(
         let first = faults.next();
         (usize::from(first.is_some()) + faults.count(), first)
     };
-    let chunks: Vec<_> = (0..count.div_ceil(CHUNK)).into_par_iter().map(of_chunk).collect();
+    let chunks = parallel::map(0..count.div_ceil(CHUNK), of_chunk);
     let faults: usize = chunks.iter().map(|(faults, _)| faults).sum();
     (faults as f64 * 1e6 / count as f64, chunks.into_iter().find_map(|(_, first)| first))
 }

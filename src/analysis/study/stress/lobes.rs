@@ -3,8 +3,6 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use rayon::prelude::*;
-
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, faults_of, power_of_ten};
 use super::limits::{ROUGHNESS, Range};
@@ -12,6 +10,7 @@ use super::random::Random;
 use crate::materials::{Coat, ColourSource, Material, Metal, MetalReflectance, RoughGlass, Scattering};
 use crate::math::functions::sin_cos_turns;
 use crate::math::{DVec2, DVec3, Vec3};
+use crate::parallel;
 
 pub(super) const SUBJECTS: &[Subject] = &[
     Subject {
@@ -138,7 +137,7 @@ fn by_roughness(measure: impl Fn(&(&'static str, Material, f64), f64, f64) -> f6
         }
         worst
     };
-    roughnesses().collect::<Vec<_>>().into_par_iter().map(of_roughness).collect()
+    parallel::map(roughnesses(), of_roughness)
 }
 
 fn density(effort: Effort) -> Vec<Measurement> {

@@ -1,8 +1,7 @@
 //! Tables of cells: pictures cut into small rectangles, one of which is drawn in proportion to its weight.
 
-use rayon::prelude::*;
-
 use super::inversion::{self, Inversion};
+use crate::parallel;
 
 /// The cells along one side of a picture: whole texels, the same number in each but the last.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -99,13 +98,12 @@ impl CellTable {
         self.grids.push(Grid { columns, rows, first_row: self.powers.len(), first_start, first_guide });
         self.starts.resize(first_start + starts_length * rows.count(), 0);
         self.guides.resize(first_guide + guide_length * rows.count(), 0);
-        let starts = self.starts[first_start..].par_chunks_mut(starts_length);
-        let guides = self.guides[first_guide..].par_chunks_mut(guide_length);
-        let powers = cells.par_chunks(count).zip(starts.zip(guides));
-        self.powers
-            .par_extend(powers.map(|(cells, (starts, guide))| {
-                inversion::prepare(cells.iter().map(|cell| cell.power), starts, guide)
-            }));
+        let starts = self.starts[first_start..].chunks_mut(starts_length);
+        let guides = self.guides[first_guide..].chunks_mut(guide_length);
+        let powers = cells.chunks(count).zip(starts.zip(guides));
+        self.powers.extend(parallel::map(powers, |(cells, (starts, guide))| {
+            inversion::prepare(cells.iter().map(|cell| cell.power), starts, guide)
+        }));
     }
 
     /// Makes the table ready to draw from.

@@ -7,8 +7,7 @@ use super::texel_means::{Beyond, bilinear_means, texel_luminances, weighed_lumin
 use crate::envmap::{CubeFilter, CubeMap, Face, Lookup};
 use crate::error::Result;
 use crate::math::DVec3;
-use rayon::prelude::*;
-
+use crate::parallel;
 /// Most cells along the side of a face. Larger pictures have several texels in a cell: cells half inside a sun make its
 /// rim noisy. The relative variance of luminance / density for faces of 2048 texels and a sun of 0.5 degrees that gives
 /// half of all light is 0.45, 0.14 and 0.05 with 512, 1024 and 2048 cells; the tables take 9, 38 and 151 MB.
@@ -52,7 +51,8 @@ impl FaceSampler {
     /// Reads all six faces, decoding what was not decoded yet.
     pub(super) fn new(map: &CubeMap, histogram: &mut BrightnessHistogram) -> Result<Self> {
         let row = |face: Face| map.lookup().row(face);
-        Face::ALL.par_iter().try_for_each(|&face| map.picture(row(face).image).map(|_| ()))?;
+        // An error comes back below.
+        parallel::for_each(Face::ALL, |face| drop(map.picture(row(face).image)));
         let mut table = CellTable::default();
         let mut angles: Option<TexelAngles> = None;
         for face in Face::ALL {
@@ -107,7 +107,7 @@ impl FaceSampler {
 fn cells(means: &[f32], angles: &TexelAngles, columns: CellAxis, rows: CellAxis) -> Vec<Cell> {
     let count = columns.count();
     let mut cells = vec![Cell::default(); count * rows.count()];
-    cells.par_chunks_mut(count).enumerate().for_each(|(row, cells)| {
+    parallel::for_each(cells.chunks_mut(count).enumerate(), |(row, cells)| {
         for texel_row in rows.texels_of(row) {
             for (column, cell) in cells.iter_mut().enumerate() {
                 for texel in columns.texels_of(column) {

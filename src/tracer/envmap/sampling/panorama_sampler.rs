@@ -2,8 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use rayon::prelude::*;
-
 use super::brightness::BrightnessHistogram;
 use super::cells::{Cell, CellAxis, CellTable};
 use super::texel_means::{Beyond, bilinear_means, texel_luminances};
@@ -11,6 +9,7 @@ use crate::envmap::Equirectangular;
 use crate::error::Result;
 use crate::math::DVec3;
 use crate::math::functions::{cos, sin};
+use crate::parallel;
 
 /// Most cells around the horizon and from pole to pole. Larger pictures have several texels in a cell.
 const MOST_CELLS: [usize; 2] = [4096, 2048];
@@ -72,7 +71,7 @@ fn cells(means: &[f32], columns: CellAxis, rows: CellAxis) -> Vec<Cell> {
     let count = columns.count();
     let (width, height) = (columns.texels as f64, rows.texels as f64);
     let mut cells = vec![Cell::default(); count * rows.count()];
-    cells.par_chunks_mut(count).enumerate().for_each(|(row, cells)| {
+    parallel::for_each(cells.chunks_mut(count).enumerate(), |(row, cells)| {
         for texel_row in rows.texels_of(row) {
             // The difference of the cosines above and below, without cancellation.
             let zone = 2.0 * sin(PI * (texel_row as f64 + 0.5) / height) * sin(PI / (2.0 * height));

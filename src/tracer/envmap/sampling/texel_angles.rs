@@ -4,9 +4,8 @@
 //! under the solid angle `arctan(x y / sqrt(1 + x^2 + y^2))`, with the sign of x y; a texel is a difference of four.
 //! (Van Oosterom and Strackee, The Solid Angle of a Plane Triangle, 1983, for two right triangles.)
 
-use rayon::prelude::*;
-
 use crate::math::functions::arctan2;
+use crate::parallel;
 
 /// Solid angle of the rectangle on the face between its middle and (x, y).
 pub(super) fn corner_solid_angle(x: f64, y: f64) -> f64 {
@@ -27,13 +26,13 @@ impl TexelAngles {
         let place = |texel: usize, count: usize| 2.0 * texel as f64 / count as f64 - 1.0;
         let (columns, rows) = (width.div_ceil(2), height.div_ceil(2));
         let mut corners = vec![0.0; (columns + 1) * (rows + 1)];
-        corners.par_chunks_mut(columns + 1).enumerate().for_each(|(row, corners)| {
+        parallel::for_each(corners.chunks_mut(columns + 1).enumerate(), |(row, corners)| {
             for (column, corner) in corners.iter_mut().enumerate() {
                 *corner = corner_solid_angle(place(column, width), place(row, height));
             }
         });
         let mut quarter = vec![0.0; columns * rows];
-        quarter.par_chunks_mut(columns).enumerate().for_each(|(row, angles)| {
+        parallel::for_each(quarter.chunks_mut(columns).enumerate(), |(row, angles)| {
             let (upper, lower) = corners[row * (columns + 1)..].split_at(columns + 1);
             for (column, angle) in angles.iter_mut().enumerate() {
                 *angle = (lower[column + 1] - lower[column]) - (upper[column + 1] - upper[column]);

@@ -10,10 +10,9 @@
 //!
 //! In the plane the shares multiply: 36/64 for the texel, 6/64 for the four beside it, 1/64 for the four at its corners.
 
-use rayon::prelude::*;
-
 use crate::colour::luminance;
 use crate::math::Vec3;
+use crate::parallel;
 use crate::picture::Picture;
 
 /// What a texel beyond the left border of the first or the right border of the last column is.
@@ -39,7 +38,7 @@ pub(super) fn weighed_luminance(colour: Vec3) -> f32 {
 pub(super) fn texel_luminances(picture: &Picture) -> Vec<f32> {
     let width = picture.width();
     let mut values = vec![0.0; width * picture.height()];
-    values.par_chunks_mut(width).enumerate().for_each(|(row, values)| {
+    parallel::for_each(values.chunks_mut(width).enumerate(), |(row, values)| {
         values.iter_mut().enumerate().for_each(|(column, value)| {
             *value = weighed_luminance(picture.texel(column, row));
         });
@@ -51,21 +50,19 @@ pub(super) fn texel_luminances(picture: &Picture) -> Vec<f32> {
 pub(super) fn bilinear_means(values: &[f32], width: usize, beyond: Beyond) -> Vec<f32> {
     let height = values.len() / width;
     let mut means = vec![0.0; values.len()];
-    means.par_chunks_mut(width).enumerate().for_each_init(
-        || vec![0.0; width + 2],
-        |column_means, (row, means)| {
-            let line = |row: usize| &values[row * width..(row + 1) * width];
-            let (above, here, below) = (line(row.saturating_sub(1)), line(row), line((row + 1).min(height - 1)));
-            for (mean, ((above, here), below)) in column_means[1..].iter_mut().zip(above.iter().zip(here).zip(below)) {
-                *mean = (above + 6.0 * here + below) / 8.0;
-            }
-            let (first, last) = (column_means[1], column_means[width]);
-            let (before, after) = if beyond == Beyond::Border { (first, last) } else { (last, first) };
-            (column_means[0], column_means[width + 1]) = (before, after);
-            for (mean, values) in means.iter_mut().zip(column_means.windows(3)) {
-                *mean = (values[0] + 6.0 * values[1] + values[2]) / 8.0;
-            }
-        },
-    );
+    parallel::for_each(means.chunks_mut(width).enumerate(), |(row, means)| {
+        let line = |row: usize| &values[row * width..(row + 1) * width];
+        let (above, here, below) = (line(row.saturating_sub(1)), line(row), line((row + 1).min(height - 1)));
+        let mut column_means = vec![0.0; width + 2];
+        for (mean, ((above, here), below)) in column_means[1..].iter_mut().zip(above.iter().zip(here).zip(below)) {
+            *mean = (above + 6.0 * here + below) / 8.0;
+        }
+        let (first, last) = (column_means[1], column_means[width]);
+        let (before, after) = if beyond == Beyond::Border { (first, last) } else { (last, first) };
+        (column_means[0], column_means[width + 1]) = (before, after);
+        for (mean, values) in means.iter_mut().zip(column_means.windows(3)) {
+            *mean = (values[0] + 6.0 * values[1] + values[2]) / 8.0;
+        }
+    });
     means
 }

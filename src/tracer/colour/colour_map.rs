@@ -22,7 +22,7 @@ const MAGMA: [[u8; 3]; 17] = [
 ];
 
 /// The colour of a value in `[0, 1]`; values outside are clamped, NaN is the lowest.
-pub(super) fn magma(value: f32) -> [u8; 3] {
+pub fn magma(value: f32) -> [u8; 3] {
     let place = if value > 0.0 { value.min(1.0) } else { 0.0 } * (MAGMA.len() - 1) as f32;
     let first = (place as usize).min(MAGMA.len() - 2);
     let share = place - first as f32;
