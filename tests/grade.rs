@@ -37,10 +37,21 @@ struct Student {
     field_of_view: f64,
     /// Factor and summand of u and v before the texel is looked up: 1, 0 for a right one.
     range: (f64, f64),
+    /// What its textures show outside of 0 to 1.
+    beyond: Beyond,
+    /// False if it takes the components of the unit direction as they are.
+    divides: bool,
     size: usize,
     bilinear: bool,
     /// Power on the way in, factor, power on the way out.
     tone: (f64, f64, f64),
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Beyond {
+    Border,
+    Repeated,
+    Black,
 }
 
 /// The eight things code may do to a pair of coordinates, as one would write them.
@@ -64,6 +75,8 @@ const RIGHT: Student = Student {
     axes: [(0, 1.0), (1, 1.0), (2, 1.0)],
     field_of_view: 90.0,
     range: (1.0, 0.0),
+    beyond: Beyond::Border,
+    divides: true,
     size: 128,
     bilinear: false,
     tone: (1.0, 1.0, 1.0),
@@ -125,6 +138,10 @@ impl Student {
 
     fn get_texel(&self, photographs: &Photographs, light: &[f64; 256], direction: Vector) -> [u8; 3] {
         let (face, u, v) = right_lookup(direction);
+        let largest = direction.iter().fold(0.0_f64, |largest, component| largest.max(component.abs()));
+        let length = direction.iter().map(|component| component * component).sum::<f64>().sqrt();
+        let shortened = |place: f64| if self.divides { place } else { (place - 0.5) * largest / length + 0.5 };
+        let (u, v) = (shortened(u), shortened(v));
         let (image, laying) = self.faces[face];
         let (first, second) = FORMULAS[laying];
         let (u, v) = (value(first, u, v), value(second, u, v));
@@ -133,7 +150,14 @@ impl Student {
         let side = photographs.side as f64;
         let (x, y) = (x * side, y * side);
         let texel = |x: f64, y: f64, channel: usize| {
-            let index = |place: f64| place.floor().clamp(0.0, side - 1.0) as usize;
+            let outside = [x, y].iter().any(|place| !(-0.5..=side).contains(place));
+            if self.beyond == Beyond::Black && outside {
+                return 0.0;
+            }
+            let index = |place: f64| match self.beyond {
+                Beyond::Repeated => place.floor().rem_euclid(side) as usize,
+                _ => place.floor().clamp(0.0, side - 1.0) as usize,
+            };
             light[usize::from(photographs.bytes[image][3 * (index(y) * photographs.side + index(x)) + channel])]
         };
         std::array::from_fn(|channel| {
@@ -368,16 +392,50 @@ fn a_wrong_field_of_view_is_measured() {
 }
 
 #[test]
+fn a_missing_division_is_named() {
+    for photographs in maps() {
+        let mut row = Row::default();
+        for number in cases(40) {
+            let mut student = Student { divides: false, ..RIGHT }.varied(number);
+            student.faces[number % 6].1 = number / 6 % 8;
+            let grade = student.grade(&photographs);
+            assert!(grade.undivided, "{}: case {number}, {:?}", photographs.name, grade.field_of_view);
+            assert_eq!((grade.verdict(), grade.field_of_view), (GradeVerdict::Lookup, None));
+            row.check(&student, &photographs, &grade);
+            let divided = Student { divides: true, ..student }.grade(&photographs);
+            assert!(!divided.undivided, "{}: case {number} divides", photographs.name);
+        }
+        row.print("undivided", &photographs.name);
+    }
+}
+
+/// u and v from -1 to 1, and what shows of it.
+#[test]
 fn a_texture_read_out_of_range_fits_no_laying() {
     let photographs = &maps()[1];
-    // u and v from -1 to 1, clamped at the border.
-    let grade = Student { range: (2.0, -1.0), ..RIGHT }.grade(photographs);
-    let misfits: Vec<Option<Misfit>> = grade.faces.iter().map(|face| face.misfit).collect();
-    println!("{misfits:?}");
-    assert_ne!(grade.verdict(), GradeVerdict::Right);
+    let names =
+        [(Beyond::Border, Misfit::Smeared), (Beyond::Repeated, Misfit::Repeated), (Beyond::Black, Misfit::PartlyBlack)];
+    for (beyond, name) in names {
+        let grade = Student { range: (2.0, -1.0), beyond, ..RIGHT }.grade(photographs);
+        let misfits: Vec<Option<Misfit>> = grade.faces.iter().map(|face| face.misfit).collect();
+        println!("{beyond:?}: {misfits:?}");
+        assert_ne!(grade.verdict(), GradeVerdict::Right);
+        assert!(misfits.contains(&Some(name)), "{beyond:?}: {misfits:?}");
+        assert!(misfits.iter().flatten().all(|misfit| *misfit == name), "{beyond:?}: {misfits:?}");
+    }
     let black = Student { tone: (1.0, 0.0, 1.0), ..RIGHT }.grade(photographs);
     assert_eq!(black.verdict(), GradeVerdict::OutOfRange);
     assert!(black.faces.iter().all(|face| face.misfit == Some(Misfit::Black)));
+}
+
+#[test]
+fn small_shots_do_not_make_the_camera_wrong() {
+    for photographs in maps() {
+        for size in [16, 20, 32, 48] {
+            let grade = Student { size, ..RIGHT }.grade(&photographs);
+            assert_eq!(grade.field_of_view, None, "{} at {size}", photographs.name);
+        }
+    }
 }
 
 /// The whole command: files, text, JSON, exit codes.

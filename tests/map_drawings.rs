@@ -134,3 +134,20 @@ fn crosses_look_as_they_did() {
         assert_looks_as_it_did(&folder.path().join("cross.png"), &format!("cross-compass-{lookup}"));
     }
 }
+
+#[test]
+fn shots_do_not_overwrite_what_may_be_the_students_own() {
+    let folder = tempfile::tempdir().unwrap();
+    let mine = folder.path().join("posy.png");
+    std::fs::write(&mine, b"mine").unwrap();
+    let map = compass();
+    let arguments = ["shots", map.to_str().unwrap(), "-o", ".", "--size", "16"];
+    let output = skycube(folder.path(), &arguments);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("posy.png: this picture is already there"));
+    assert_eq!(std::fs::read(&mine).unwrap(), b"mine");
+    std::fs::remove_file(&mine).unwrap();
+    // Its own shots are replaced.
+    stdout(&skycube(folder.path(), &arguments));
+    stdout(&skycube(folder.path(), &arguments));
+}

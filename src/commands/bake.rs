@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use clap::Args;
+use rayon::ThreadPool;
 
 use super::Outcome;
 use super::interrupt;
@@ -14,9 +15,9 @@ use super::progress_bar::RenderBar;
 use crate::envmap::{Face, Lookup};
 use crate::error::{Error, Result};
 use crate::math::DVec3;
-use crate::picture::{self, OutputFormat};
+use crate::picture::{self, OutputFormat, Raster};
 use crate::render::bake_face;
-use crate::scene::Plan;
+use crate::scene::{Plan, Scene};
 
 #[derive(Debug, Args)]
 pub struct BakeArguments {
@@ -53,38 +54,53 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let targets = Face::ALL.map(|image| arguments.output.join(format!("{}.{}", image.name(), arguments.format)));
     refuse_shared_images(&lookup)?;
     refuse_folder_of(&arguments.output, &scene.sources)?;
+    let format = OutputFormat::of_path(&targets[0])?;
     for target in &targets {
-        OutputFormat::of_path(target)?;
         refuse_to_overwrite_sources(target, &scene.sources)?;
     }
     let pool = arguments.overrides.thread_pool()?;
     let size = arguments.face_size as usize;
     check_pixel_count([6 * size, size])?;
     interrupt::watch();
-    let bar = RenderBar::new(6 * (size * size) as u64 * u64::from(scene.samples), "baking");
     let started = Instant::now();
+    let (rasters, rays) = bake(&scene, &plan, &lookup, size, position, &pool)?;
+    let seconds = started.elapsed().as_secs_f64();
+    let encoded = Face::ALL.map(|image| picture::encode(&rasters[image.index()], format, &options));
+    let mut files = Vec::new();
+    for (target, bytes) in targets.iter().zip(encoded) {
+        files.push((target.as_path(), bytes?));
+    }
+    std::fs::create_dir_all(&arguments.output)
+        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(&arguments.output))?;
+    picture::write_together(files.iter().map(|(target, bytes)| (*target, bytes.as_slice())))?;
+    targets.iter().for_each(|target| super::print(format_args!("wrote {}\n", target.display())));
+    super::print(format_args!(
+        "six images of {size} x {size} texels for the lookup {}, seen from ({}, {}, {}): {seconds:.2} s, {rays} rays\n",
+        arguments.lookup, position.x, position.y, position.z
+    ));
+    Ok(Outcome::Clean)
+}
+
+/// The six images, in the order of their names' faces, and the rays they took.
+fn bake(
+    scene: &Scene,
+    plan: &Plan,
+    lookup: &Lookup,
+    size: usize,
+    position: DVec3,
+    pool: &ThreadPool,
+) -> Result<(Vec<Raster>, u64)> {
+    let bar = RenderBar::new(6 * (size * size) as u64 * u64::from(scene.samples), "baking");
     let (mut rasters, mut rays) = (Vec::new(), 0);
     for face in Face::ALL {
-        let rendering = pool.install(|| bake_face(&scene, &plan, &lookup, face, size, position, &bar));
+        let rendering = pool.install(|| bake_face(scene, plan, lookup, face, size, position, &bar));
         let rendering = rendering.inspect_err(|_| bar.finish())?;
         rays += rendering.counts.traced();
         rasters.push((lookup.row(face).image, rendering.raster));
     }
     bar.finish();
-    let seconds = started.elapsed().as_secs_f64();
-    // All six are there before the first is written.
-    std::fs::create_dir_all(&arguments.output)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(&arguments.output))?;
     rasters.sort_by_key(|(image, _)| *image);
-    for (image, raster) in &rasters {
-        picture::write(raster, &targets[image.index()], &options)?;
-        println!("wrote {}", targets[image.index()].display());
-    }
-    println!(
-        "six images of {size} x {size} texels for the lookup {}, seen from ({}, {}, {}): {seconds:.2} s, {rays} rays",
-        arguments.lookup, position.x, position.y, position.z
-    );
-    Ok(Outcome::Clean)
+    Ok((rasters.into_iter().map(|(_, raster)| raster).collect(), rays))
 }
 
 /// Two faces that read one image cannot both be baked into it.

@@ -155,7 +155,7 @@ fn check_one_of_several(map: &Path, arguments: &CheckArguments, counts: &mut Cou
         }
         Err(error) => {
             counts.failed += 1;
-            eprintln!("error: {error}");
+            super::remark(format_args!("error: {error}\n"));
             let problem = error.problem().lines().next().unwrap_or_default();
             if arguments.json {
                 failed_check_json(&name, &error)

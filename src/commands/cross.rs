@@ -52,12 +52,17 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     }
     drawing.write(&arguments.output)?;
     if let Some(assumption) = assumption {
-        println!("{assumption}");
+        super::print(format_args!("{assumption}\n"));
     }
     if arguments.fixed && check.fix.changes == 0 {
-        println!("nothing to fix: drawn once");
+        super::print(format_args!("nothing to fix: drawn once\n"));
     }
-    println!("wrote {}: {} x {} pixels", arguments.output.display(), drawing.width(), drawing.height());
+    super::print(format_args!(
+        "wrote {}: {} x {} pixels\n",
+        arguments.output.display(),
+        drawing.width(),
+        drawing.height()
+    ));
     Ok(Outcome::Clean)
 }
 

@@ -10,7 +10,7 @@ use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
 use crate::envmap::source::Skybox;
 use crate::envmap::{ImageOperation, Laying};
 use crate::error::{Error, Result};
-use crate::picture::{check_target, write_atomically};
+use crate::picture::write_together;
 use crate::report::{CodeLanguage, lookup_code};
 use crate::validate::{Check, FaceFix, Verdict};
 
@@ -19,7 +19,7 @@ pub struct FixArguments {
     /// A folder, zip, cross or strip
     map: PathBuf,
     /// The folder to write the six corrected files to; made if it is missing
-    #[arg(short, long, value_name = "DIR", required_unless_present = "code")]
+    #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Print the corrected lookup instead
     #[arg(long, value_name = "LANGUAGE", conflicts_with = "output")]
@@ -37,24 +37,33 @@ struct Corrected {
 
 /// Checks the map and mends it. Ends with faults if a face remains that does not belong.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
+    if arguments.output.is_none() && arguments.code.is_none() {
+        return Err(Error::new("it is not said where the fix shall go")
+            .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|toml for the corrected lookup"));
+    }
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let check = arguments.validation.check(&skybox)?;
     if let Some(language) = arguments.code {
         super::print(lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
     } else if let Some(folder) = &arguments.output {
         write_files(&skybox, &check, folder)?;
+        if check.verdict == Verdict::Fits && check.fix.changes == 0 {
+            super::remark(format_args!("nothing to fix: the faces fit as they are, the files are copies\n"));
+        }
     }
     for note in check.notes.iter().take(check.foreign.len()) {
-        eprintln!("not mended: {note}");
+        super::remark(format_args!("not mended: {note}\n"));
     }
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
     if check.verdict == Verdict::Broken && check.foreign.is_empty() {
         for fix in undecided {
-            eprintln!("left as it is: the pixels do not tell how {} must be laid", fix.face.name());
+            super::remark(format_args!("left as it is: the pixels do not tell how {} must be laid\n", fix.face.name()));
         }
     }
     if check.verdict == Verdict::Undecidable {
-        eprintln!("undecidable: the pixels do not tell whether these faces fit; nothing was changed");
+        super::remark(format_args!(
+            "undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"
+        ));
     }
     Ok(if check.foreign.is_empty() { Outcome::Clean } else { Outcome::Faults })
 }
@@ -71,12 +80,8 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     }
     std::fs::create_dir_all(folder)
         .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
-    // Everything that can be refused is refused before the first file is written.
+    write_together(files.iter().map(|file| (file.target.as_path(), file.bytes.as_slice())))?;
     for file in &files {
-        check_target(&file.target)?;
-    }
-    for file in &files {
-        write_atomically(&file.target, &file.bytes)?;
         super::print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
     }
     if let Some(convention) = check.fix.convention {

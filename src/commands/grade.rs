@@ -66,7 +66,12 @@ fn usual_up(lookup: &str) -> SignedAxis {
 /// The six shots in the order of [`Face::ALL`].
 fn read_shots(folder: &Path) -> Result<[Picture; 6]> {
     let entries = std::fs::read_dir(folder).map_err(|error| {
-        Error::new(format!("cannot read the folder of shots: {error}"))
+        let problem = match folder {
+            missing if !missing.exists() => "there is no such folder".to_owned(),
+            file if file.is_file() => "this is a file, not a folder".to_owned(),
+            _ => format!("cannot read the folder of shots: {error}"),
+        };
+        Error::new(problem)
             .in_file(folder)
             .expected("a folder with posx.png, negx.png, posy.png, negy.png, posz.png and negz.png")
     })?;
@@ -85,7 +90,9 @@ fn read_shot(folder: &Path, face: Face, files: &[PathBuf]) -> Result<Picture> {
     let path = match files.iter().filter(named).collect::<Vec<_>>()[..] {
         [path] => path,
         [] => {
-            return Err(Error::new(format!("the shot {name} is missing"))
+            let found: Vec<_> = files.iter().filter_map(|path| path.file_name()?.to_str()).take(12).collect();
+            let found = if found.is_empty() { "no file".to_owned() } else { found.join(", ") };
+            return Err(Error::new(format!("the shot {name} is missing: there is {found}"))
                 .in_file(folder)
                 .expected(format!("{name}.png (or .jpg, .exr, ...), the picture along {}", face.signed_name())));
         }

@@ -13,7 +13,7 @@ use crate::report::{lesson_list, lesson_page, lesson_started};
 #[command(args_conflicts_with_subcommands = true)]
 pub struct LessonsArguments {
     /// Show this lesson: its goal and its commands
-    #[arg(value_name = "NN")]
+    #[arg(value_name = "NN", value_parser = lesson_number)]
     number: Option<u32>,
     #[command(flatten)]
     options: LessonOptions,
@@ -40,7 +40,7 @@ enum LessonCommand {
 #[derive(Debug, Args)]
 struct StartArguments {
     /// The lesson
-    #[arg(value_name = "NN")]
+    #[arg(value_name = "NN", value_parser = lesson_number)]
     number: u32,
     /// Where to copy it [default: a folder with the lesson's name, in this folder]
     #[arg(short, long, value_name = "FOLDER")]
@@ -68,4 +68,10 @@ pub fn run(arguments: &LessonsArguments) -> Result<Outcome> {
     };
     super::print(text);
     Ok(Outcome::Clean)
+}
+
+/// `6`, `06` or the name of its folder, `06-environment-map`.
+fn lesson_number(text: &str) -> std::result::Result<u32, String> {
+    let digits = text.split_once('-').map_or(text, |(digits, _)| digits);
+    digits.parse().map_err(|_| "expected the number of a lesson, such as 06; `skycube lessons` lists them".to_owned())
 }

@@ -100,13 +100,19 @@ fn print(text: impl std::fmt::Display) {
     let _ = write!(std::io::stdout().lock(), "{text}");
 }
 
+/// Writes to standard error; that nobody reads it is no error.
+fn remark(text: impl std::fmt::Display) {
+    use std::io::Write;
+    let _ = write!(std::io::stderr().lock(), "{text}");
+}
+
 fn exit_code(result: Result<Outcome>) -> ExitCode {
     match result {
         Ok(Outcome::Clean) => ExitCode::SUCCESS,
         Ok(Outcome::Faults) => ExitCode::from(1),
         Ok(Outcome::Interrupted) => ExitCode::from(130),
         Err(error) => {
-            eprintln!("error: {error}");
+            remark(format_args!("error: {error}\n"));
             ExitCode::from(if interrupt::requested() { 130 } else { 2 })
         }
     }

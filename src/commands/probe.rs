@@ -39,13 +39,13 @@ pub fn run(arguments: &ProbeArguments) -> Result<Outcome> {
     let before = report(&given, &map.lookup_name);
     let after = fixed.as_ref().map(|probe| report(probe, &fixed_name));
     if arguments.json {
-        println!("{}", before.to_json(after.as_ref()));
+        super::print(format_args!("{}\n", before.to_json(after.as_ref())));
         return Ok(Outcome::Clean);
     }
-    print!("{before}");
+    super::print(format_args!("{before}"));
     match after {
-        Some(after) => print!("\n{after}"),
-        None => println!("\nnothing to fix: the same again"),
+        Some(after) => super::print(format_args!("\n{after}")),
+        None => super::print(format_args!("\nnothing to fix: the same again\n")),
     }
     Ok(Outcome::Clean)
 }

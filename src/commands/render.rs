@@ -54,7 +54,7 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let plan = Plan::new(&scene);
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.scene));
     refuse(arguments, &scene, &output)?;
-    outside_limits(&scene).iter().for_each(|figure| eprintln!("warning: {figure}"));
+    outside_limits(&scene).iter().for_each(|figure| super::remark(format_args!("warning: {figure}\n")));
     let loaded = started.elapsed();
     let rendering = rendering(arguments, &scene, &plan)?;
     let rendered = started.elapsed();

@@ -25,7 +25,7 @@ pub struct ShotsArguments {
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
     /// Side of a shot in pixels
-    #[arg(long, value_name = "PIXELS", default_value_t = 512, value_parser = clap::value_parser!(u32).range(1..=16384))]
+    #[arg(long, value_name = "PIXELS", default_value_t = 512, value_parser = side)]
     size: u32,
     /// Samples a pixel [default: 1 for shots as large as the images, up to 16 for smaller ones]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 16))]
@@ -50,8 +50,9 @@ pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
         None
     };
     let folder = &arguments.output;
+    refuse_pictures_of_others(folder)?;
     let given = take(arguments, &map, map.lookup, &map.lookup_name, world_up, folder)?;
-    let sheet_file = folder.join("contact-sheet.png");
+    let sheet_file = folder.join(CONTACT_SHEET);
     refuse_to_overwrite_sources(&sheet_file, &map.sources)?;
     let mut sheet = contact_sheet(&given, &map.name, arguments.tone_map);
     let mut sets = vec![given];
@@ -63,16 +64,37 @@ pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
     }
     write(arguments, &sets, &sheet, &sheet_file)?;
     if let Some(assumption) = assumption {
-        println!("{assumption}");
+        super::print(format_args!("{assumption}\n"));
     }
     if arguments.fixed && fixed_lookup.is_none() {
-        println!("nothing to fix: one set of shots");
+        super::print(format_args!("nothing to fix: one set of shots\n"));
     }
     for set in &sets {
-        print!("{}", set.report);
+        super::print(format_args!("{}", set.report));
     }
-    println!("\nwrote {}", sheet_file.display());
+    super::print(format_args!("\nwrote {}\n", sheet_file.display()));
     Ok(Outcome::Clean)
+}
+
+/// The side of a shot: one number, since shots are square.
+fn side(text: &str) -> std::result::Result<u32, String> {
+    let side = text.parse().ok().filter(|side| (1..=16384).contains(side));
+    side.ok_or_else(|| "expected one number from 1 to 16384: shots are square".to_owned())
+}
+
+const CONTACT_SHEET: &str = "contact-sheet.png";
+
+/// A folder with pictures named after faces, but no contact sheet of earlier shots, may hold a student's own shots or the map.
+fn refuse_pictures_of_others(folder: &Path) -> Result<()> {
+    let pictures = Face::ALL.map(|face| folder.join(format!("{}.png", face.name())));
+    match pictures.iter().find(|picture| picture.exists()) {
+        Some(picture) if !folder.join(CONTACT_SHEET).exists() => {
+            Err(Error::new("this picture is already there, and no contact sheet of earlier shots beside it")
+                .in_file(picture)
+                .help("it may be one of your own: name another folder, or delete it"))
+        }
+        _ => Ok(()),
+    }
 }
 
 /// The shots through one lookup, and the files they go to.

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::compare_report::rounded;
 use crate::envmap::ImageOperation;
-use crate::study::comparison::{Curve, Evidence, Finding};
+use crate::study::comparison::{Curve, Evidence, Finding, Region};
 
 /// The kind of a finding, for machines.
 pub(super) fn kind(finding: &Finding) -> &'static str {
@@ -56,18 +56,22 @@ pub(super) fn sentence(finding: &Finding) -> String {
             "What is left has no structure, it is noise (standard deviation {deviation:.1} of 255): more samples a pixel \
              make it smaller."
         ),
-        Finding::Region { region } => format!(
-            "It differs in one place: columns {} to {}, rows {} to {} hold {:.0} % of the difference.",
-            region.x,
-            region.x + region.width - 1,
-            region.y,
-            region.y + region.height - 1,
-            100.0 * region.share
-        ),
+        Finding::Region { region } => one_place(region),
         Finding::Everywhere => "The same things are to be seen, but they differ in many places, and no flip, shift, gamma or \
              exposure explains it."
             .to_owned(),
     }
+}
+
+fn one_place(region: &Region) -> String {
+    format!(
+        "It differs in one place: columns {} to {}, rows {} to {} hold {:.0} % of the difference.",
+        region.x,
+        region.x + region.width - 1,
+        region.y,
+        region.y + region.height - 1,
+        100.0 * region.share
+    )
 }
 
 /// The figures of a finding.

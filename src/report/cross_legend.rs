@@ -47,9 +47,9 @@ fn mirrored(lookup: &Lookup) -> String {
     let mirrored: Vec<&str> =
         Face::ALL.into_iter().filter(|&face| lookup.mirrors(face)).map(Face::signed_name).collect();
     match mirrored.len() {
-        0 => "no face is shown mirrored".to_owned(),
-        6 => "all six faces are shown mirrored".to_owned(),
-        _ => format!("shown mirrored: {}", mirrored.join(" ")),
+        0 => "the lookup mirrors no face".to_owned(),
+        6 => "the lookup mirrors all six faces".to_owned(),
+        _ => format!("the lookup mirrors {}", mirrored.join(" ")),
     }
 }
 

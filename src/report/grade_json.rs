@@ -13,6 +13,8 @@ pub(super) struct Json<'a> {
     lookup: &'a str,
     world_up: String,
     camera: JsonCamera,
+    /// True if the code does not divide by the largest component.
+    undivided: bool,
     faces: [JsonFace; 6],
     notes: &'a [String],
 }
@@ -71,6 +73,7 @@ impl<'a> Json<'a> {
                 field_of_view: grade.field_of_view.map_or(90.0, |angle| (angle * 10.0).round() / 10.0),
                 axes: grade.camera.axes.map(|axis| axis.to_string()),
             },
+            undivided: grade.undivided,
             faces: grade.faces.each_ref().map(face),
             notes,
         }

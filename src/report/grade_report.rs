@@ -31,11 +31,29 @@ impl GradeReport<'_> {
         let cases = if wrong == 1 { "1 face is".to_owned() } else { format!("{wrong} faces are") };
         match self.grade.verdict() {
             GradeVerdict::Right => "right: every shot that the pixels decide shows what it should".to_owned(),
+            GradeVerdict::Lookup if self.grade.undivided => {
+                let others = if wrong == 0 { String::new() } else { format!(", and {cases} to be repaired") };
+                format!("the lookup is wrong: it does not divide by the largest component{others}")
+            }
             GradeVerdict::Lookup => format!("the lookup is wrong: {cases} to be repaired"),
+            GradeVerdict::Camera if self.grade.faces.iter().any(|face| face.misfit.is_some()) => {
+                "the camera is wrong, and not every shot shows an image of the map".to_owned()
+            }
             GradeVerdict::Camera => "the camera is wrong, the lookup is right".to_owned(),
             GradeVerdict::CameraAndLookup => format!("the camera is wrong, and {cases} to be repaired in the lookup"),
-            GradeVerdict::OutOfRange => "a shot shows no image of the map: the texture is read out of range".to_owned(),
+            GradeVerdict::OutOfRange => self.out_of_range().to_owned(),
             GradeVerdict::Undecided => "undecided: the pixels tell nothing, choose a map with more detail".to_owned(),
+        }
+    }
+
+    /// What shots come from that show no image of the map.
+    fn out_of_range(&self) -> &'static str {
+        let shown = |misfit: &Misfit| *misfit == Misfit::Unlike;
+        if self.grade.faces.iter().filter_map(|face| face.misfit).all(|misfit| shown(&misfit)) {
+            "a shot fits no laying of any image: the texture is read out of range, or the map is another one, or the camera \
+             is rolled, elsewhere, or not 90° wide in this shot alone"
+        } else {
+            "a shot shows no image of the map: the texture is read out of range"
         }
     }
 
@@ -55,6 +73,13 @@ impl GradeReport<'_> {
     /// What else the same pictures may come from, and what is left open.
     fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
+        if self.grade.undivided {
+            notes.push(
+                "the pictures are squeezed towards the middle as by a unit direction whose components were not divided; \
+                 images and layings are told as if they had been"
+                    .to_owned(),
+            );
+        }
         if let Some(alternative) = &self.grade.alternative {
             notes.push(other_explanation(alternative));
         }
@@ -112,6 +137,9 @@ impl fmt::Display for GradeReport<'_> {
         for sentence in self.camera() {
             writeln!(formatter, "  {sentence}")?;
         }
+        if self.grade.undivided {
+            writeln!(formatter, "    all cases: {DIVISION}")?;
+        }
         for face in self.grade.faces.iter().filter(|face| face.is_wrong()) {
             writeln!(formatter, "    {}", repair(face))?;
         }
@@ -121,6 +149,9 @@ impl fmt::Display for GradeReport<'_> {
         Ok(())
     }
 }
+
+/// The repair of code that does not divide.
+const DIVISION: &str = "tmp = 1 / |largest component|; u = (first * tmp + 1) / 2; v = (second * tmp + 1) / 2";
 
 /// `case NEG_Y: u = 1 - u`, to stand after the code's own computation.
 fn repair(face: &FaceGrade) -> String {

@@ -81,7 +81,7 @@ impl RenderReport {
 
 impl fmt::Display for RenderReport {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { picture, width, height, samples, integrator, seconds, rays, .. } = self;
+        let Self { picture, width, height, samples, integrator, seconds, .. } = self;
         let unit = if *samples == 1 { "sample" } else { "samples" };
         writeln!(formatter, "wrote {picture}: {width} x {height} pixels, {samples} {unit} each, {integrator}")?;
         if self.stopped {
@@ -92,6 +92,24 @@ impl fmt::Display for RenderReport {
             "time  {:.2} s: loading {:.2}, rendering {:.2}, writing {:.2}",
             seconds.total, seconds.loading, seconds.rendering, seconds.writing
         )?;
+        self.write_rays(formatter)?;
+        if !self.decoded.is_empty() {
+            writeln!(formatter, "map   decoded {}", self.decoded.join(", "))?;
+        }
+        for mistake in &self.wrong_on_purpose {
+            writeln!(formatter, "wrong on purpose: {mistake}")?;
+        }
+        writeln!(formatter, "left out")?;
+        for item in &self.left_out {
+            writeln!(formatter, "  - {item}")?;
+        }
+        Ok(())
+    }
+}
+
+impl RenderReport {
+    fn write_rays(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rays = &self.rays;
         writeln!(
             formatter,
             "rays  {} ({:.1} million a second): camera {}, reflected {}, refracted {}, shadow {}",
@@ -104,24 +122,11 @@ impl fmt::Display for RenderReport {
         )?;
         writeln!(formatter, "      {} took the environment", grouped(rays.environment))?;
         if rays.cut_by_depth > 0 {
-            writeln!(
-                formatter,
-                "      {} ended at the depth limit: their light is missing",
-                grouped(rays.cut_by_depth)
-            )?;
+            let cut = grouped(rays.cut_by_depth);
+            writeln!(formatter, "      {cut} ended at the depth limit: their light is missing")?;
         }
         if rays.cut_by_weight > 0 {
             writeln!(formatter, "      {} cut at random, without bias", grouped(rays.cut_by_weight))?;
-        }
-        if !self.decoded.is_empty() {
-            writeln!(formatter, "map   decoded {}", self.decoded.join(", "))?;
-        }
-        for mistake in &self.wrong_on_purpose {
-            writeln!(formatter, "wrong on purpose: {mistake}")?;
-        }
-        writeln!(formatter, "left out")?;
-        for item in &self.left_out {
-            writeln!(formatter, "  - {item}")?;
         }
         Ok(())
     }

@@ -155,84 +155,86 @@ fn rough(check: &Check, notes: &mut Vec<Note>) {
 }
 
 fn names(faces: &[Face]) -> String {
-    if faces.len() == 6 {
-        return "all six faces".to_owned();
+    match faces {
+        [] => "none".to_owned(),
+        faces if faces.len() == 6 => "all six faces".to_owned(),
+        faces => faces.iter().map(|face| face.name()).collect::<Vec<_>>().join(", "),
     }
-    faces.iter().map(|face| face.name()).collect::<Vec<_>>().join(", ")
 }
 
 impl fmt::Display for Note {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Foreign { face, file, reason } => {
-                let what = match reason {
-                    Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
-                    Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),
-                    Reason::AnotherScene => {
-                        "its borders fit nothing in any laying: a picture of something else".to_owned()
-                    }
-                };
-                write!(formatter, "{} ({file}) does not belong here: {what}", face.name())
+                write!(formatter, "{} ({file}) does not belong here: {}", face.name(), why_foreign(*reason))
             }
             Self::Framed { image } => {
                 write!(formatter, "{} has a frame one texel wide; the texels inside it were compared", image.name())
             }
-            Self::Sizes { smallest, largest } => {
-                write!(
-                    formatter,
-                    "the images differ in size, from {smallest} to {largest} texels: borders were resampled"
-                )
-            }
+            Self::Sizes { smallest, largest } => write!(
+                formatter,
+                "the images differ in size, from {smallest} to {largest} texels: borders were resampled"
+            ),
             Self::NotSquare { image } => write!(formatter, "{} is not square", image.name()),
             Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
-            Self::Exposure { image, codes } => {
-                write!(
-                    formatter,
-                    "{} is {} than all its neighbours, by {:.1} of 255 on average: exposed otherwise",
-                    image.name(),
-                    if *codes > 0.0 { "brighter" } else { "darker" },
-                    codes.abs()
-                )
-            }
+            Self::Exposure { image, codes } => formatter.write_str(&exposed(*image, *codes)),
             Self::Identical { images: [one, other] } => {
                 write!(formatter, "{} and {} are the same along all their borders", one.name(), other.name())
             }
             Self::Flat { image } => {
-                write!(
-                    formatter,
-                    "{} is one flat colour along its borders: it looks the same in any laying",
-                    image.name()
-                )
+                let name = image.name();
+                write!(formatter, "{name} is one flat colour along its borders: it looks the same in any laying")
             }
             Self::Undecided { faces } => {
                 write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))
             }
             Self::Rough { seams, step } => write!(
                 formatter,
-                "{seams} of 12 seams are rough (mean step {step:.1} of 255), but the geometry fits: faces were exposed, framed or compressed one by one, the ground is coarse, or an edge of the scene lies along the seam"
+                "{seams} of 12 seams are rough (mean step {step:.1} of 255), but the geometry fits: {ROUGH_REASONS}"
             ),
             Self::Mirrored { faces, after, changes } => {
-                if *changes && faces != after {
-                    let before = if faces.is_empty() { "none" } else { &names(faces) };
-                    let after = if after.is_empty() { "none" } else { &names(after) };
-                    write!(
-                        formatter,
-                        "from the table alone: mirrored in a right-handed world are {before} now, {after} after the fix if the pictures are as photographed (if they had been flipped, it stays as it is: seams cannot tell)"
-                    )
-                } else {
-                    write!(formatter, "from the table alone: a right-handed world sees {} mirrored", names(faces))
-                }
+                formatter.write_str(&mirrored(faces, after, *changes && faces != after))
             }
-            Self::Sky { sky, up, there: true } => {
-                write!(formatter, "the sky seems to be {}: at the declared up axis {up}", sky.name())
-            }
-            Self::Sky { sky, up, there: false } => {
-                write!(
-                    formatter,
-                    "the sky seems to be {}, which is not at the declared up axis {up} (a hint from brightness and detail)",
-                    sky.name()
-                )
-            }
+            Self::Sky { sky, up, there } => formatter.write_str(&sky_place(*sky, *up, *there)),
         }
     }
+}
+
+/// Why the seams of a right map may be rough.
+const ROUGH_REASONS: &str = "faces were exposed, framed or compressed one by one, the ground is coarse, or an edge of \
+                             the scene lies along the seam";
+
+fn why_foreign(reason: Reason) -> String {
+    match reason {
+        Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
+        Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),
+        Reason::AnotherScene => "its borders fit nothing in any laying: a picture of something else".to_owned(),
+    }
+}
+
+fn exposed(image: Face, codes: f64) -> String {
+    let how = if codes > 0.0 { "brighter" } else { "darker" };
+    let (name, codes) = (image.name(), codes.abs());
+    format!("{name} is {how} than all its neighbours, by {codes:.1} of 255 on average: exposed otherwise")
+}
+
+/// Which faces are mirrored now and, if that changes, after the fix.
+fn mirrored(now: &[Face], after: &[Face], changes: bool) -> String {
+    let now = names(now);
+    if !changes {
+        return format!("from the table alone: a right-handed world sees {now} mirrored");
+    }
+    let after = names(after);
+    format!(
+        "from the table alone: mirrored in a right-handed world are {now} now, {after} after the fix if the pictures are as \
+         photographed (if they had been flipped, it stays as it is: seams cannot tell)"
+    )
+}
+
+fn sky_place(sky: Face, up: SignedAxis, there: bool) -> String {
+    let sky = sky.name();
+    if there {
+        return format!("the sky seems to be {sky}: at the declared up axis {up}");
+    }
+    format!("the sky seems to be {sky}, which is not at the declared up axis {up} (a hint from brightness and detail)")
 }

@@ -2,7 +2,7 @@
 
 use super::axis::SignedAxis;
 use super::lazy_image::LazyImage;
-use crate::math::functions::{arccos, arctan2, cos, sin};
+use crate::math::functions::{arctan2_turns, cos, floor, sin};
 use crate::math::{DVec3, Vec3};
 use crate::picture::Footprint;
 
@@ -45,12 +45,13 @@ pub struct Equirectangular {
 
 impl Equirectangular {
     /// The colour in a unit direction; black if the picture cannot be decoded.
+    #[inline]
     pub fn sample(&self, direction: DVec3) -> Vec3 {
         let (u, v) = self.coordinates(direction);
         self.image.picture().map_or(Vec3::ZERO, |picture| {
             let (width, height) = (picture.width(), picture.height());
             let footprint = Footprint::around(u * width as f32, v * height as f32, width, height);
-            footprint.interpolate(|column, row| picture.texel(column, row))
+            picture.interpolated(&footprint)
         })
     }
 
@@ -83,8 +84,9 @@ impl Longitudes {
     pub(super) fn place(&self, direction: DVec3) -> (f64, f64) {
         let [x, y, z] = self.y_up(direction).to_array();
         // Longitude counted from -z towards +x.
-        let longitude = arctan2(x, -z) / std::f64::consts::TAU + self.turns;
-        (longitude - longitude.floor(), arccos(y) / std::f64::consts::PI)
+        let longitude = arctan2_turns(x, -z) + self.turns;
+        let from_zenith = 2.0 * arctan2_turns((x * x + z * z).sqrt(), y);
+        (longitude - floor(longitude) as f64, from_zenith)
     }
 
     /// The unit direction at `u` from the left, `cosine` being that of the angle from the zenith.

@@ -66,6 +66,42 @@ pub(super) fn coordinates_colour(place: DVec2) -> Vec3 {
 pub(super) const COORDINATES_COLOUR: &str = "texture coordinates as red and green";
 pub(super) const SHINES: &str = "shines by itself";
 
+/// What a surface does with light that arrives from lights.
+struct Reflection {
+    diffuse: Vec3,
+    /// Colour and exponent of a Phong highlight.
+    highlight: Option<(Vec3, f32)>,
+}
+
+/// What a surface shows in light of the sources alone.
+enum Appearance {
+    /// A colour of its own, and what an observer is told of it.
+    Own(&'static str, Vec3),
+    Reflecting(Reflection),
+}
+
+#[inline(always)]
+fn appearance(material: &Material, surface: &Surface, side: Side) -> Appearance {
+    let reflecting = |diffuse, highlight| Appearance::Reflecting(Reflection { diffuse, highlight });
+    match material {
+        Material::Normals => Appearance::Own(normals::NORMAL_COLOUR, normals::colour(surface.shading_normal)),
+        Material::TextureCoordinates => {
+            Appearance::Own(COORDINATES_COLOUR, coordinates_colour(surface.texture_coordinates))
+        }
+        Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
+            Appearance::Own("nothing that this integrator follows: black", Vec3::ZERO)
+        }
+        Material::Light { radiance } if side == Side::Front => Appearance::Own(SHINES, *radiance),
+        Material::Light { .. } => Appearance::Own("back of a light: black", Vec3::ZERO),
+        Material::Lambert { colour } | Material::Coated { colour, .. } => {
+            reflecting(colour.at(surface.texture_coordinates), None)
+        }
+        Material::Phong { diffuse, specular, exponent } => {
+            reflecting(diffuse.at(surface.texture_coordinates), Some((*specular, *exponent)))
+        }
+    }
+}
+
 /// The colour a surface shows by itself: debugging colours, or reflected light of all sources.
 #[inline(always)]
 pub(super) fn local_radiance<O: Observer>(
@@ -77,65 +113,68 @@ pub(super) fn local_radiance<O: Observer>(
     counts: &mut RayCounts,
     observer: &mut O,
 ) -> Vec3 {
-    let material = &scene.materials[surface.material as usize];
-    let mut own = |what: &'static str, colour: Vec3| {
-        observer.note(|| Event::Own { what, colour });
-        colour
-    };
-    let (diffuse, highlight) = match material {
-        Material::Normals => return own(normals::NORMAL_COLOUR, normals::colour(surface.shading_normal)),
-        Material::TextureCoordinates => {
-            return own(COORDINATES_COLOUR, coordinates_colour(surface.texture_coordinates));
+    let reflection = match appearance(&scene.materials[surface.material as usize], surface, view.side) {
+        Appearance::Own(what, colour) => {
+            observer.note(|| Event::Own { what, colour });
+            return colour;
         }
-        Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
-            return own("nothing that this integrator follows: black", Vec3::ZERO);
-        }
-        Material::Light { radiance } if view.side == Side::Front => return own(SHINES, *radiance),
-        Material::Light { .. } => return own("back of a light: black", Vec3::ZERO),
-        Material::Lambert { colour } | Material::Coated { colour, .. } => {
-            (colour.at(surface.texture_coordinates), None)
-        }
-        Material::Phong { diffuse, specular, exponent } => {
-            (diffuse.at(surface.texture_coordinates), Some((*specular, *exponent)))
-        }
+        Appearance::Reflecting(reflection) => reflection,
     };
     if !plan.direct_light {
         return Vec3::ZERO;
     }
     let mirrored = reflect(ray.direction, view.shading_normal);
+    let point = Point { scene, shadows: plan.shadow_rays, surface, view, mirrored, reflection };
     let mut radiance = Vec3::ZERO;
     for (number, light) in scene.lights.iter().enumerate() {
-        let mut note = |outcome: LightOutcome| observer.note(|| Event::Light { number, outcome });
-        if let Light::Ambient { radiance: ambient } = light {
-            radiance += diffuse * *ambient;
-            note(LightOutcome::Ambient { contribution: diffuse * *ambient });
-            continue;
+        let outcome = point.light(light, counts);
+        if let LightOutcome::Ambient { contribution } | LightOutcome::Free { contribution, .. } = outcome {
+            radiance += contribution;
         }
-        let Some(arriving) = light.illumination(surface.position) else {
-            note(LightOutcome::Unreached);
-            continue;
-        };
+        observer.note(|| Event::Light { number, outcome });
+    }
+    radiance
+}
+
+/// A point of a surface that lights shine on.
+struct Point<'a> {
+    scene: &'a Scene,
+    /// False if nothing casts shadows.
+    shadows: bool,
+    surface: &'a Surface,
+    view: &'a View,
+    /// The direction in which a mirror would send the viewer's ray.
+    mirrored: DVec3,
+    reflection: Reflection,
+}
+
+impl Point<'_> {
+    /// What a light does here.
+    #[inline(always)]
+    fn light(&self, light: &Light, counts: &mut RayCounts) -> LightOutcome {
+        let Self { scene, surface, view, reflection, .. } = self;
+        if let Light::Ambient { radiance } = light {
+            return LightOutcome::Ambient { contribution: reflection.diffuse * *radiance };
+        }
+        let Some(arriving) = light.illumination(surface.position) else { return LightOutcome::Unreached };
         let cosine = view.shading_normal.dot(arriving.to_light);
         // Light must reach the true surface from the side that is looked at.
         if cosine <= 0.0 || view.normal.dot(arriving.to_light) <= 0.0 {
-            note(LightOutcome::Behind);
-            continue;
+            return LightOutcome::Behind;
         }
-        let to_light = shadow_ray(scene.integrator.mistake, surface, view.side, arriving.to_light);
-        if plan.shadow_rays {
+        let ray = shadow_ray(scene.integrator.mistake, surface, view.side, arriving.to_light);
+        let distance = arriving.distance;
+        if self.shadows {
             counts.shadow += 1;
-            if scene.shapes.occluded(&to_light, arriving.distance) {
-                note(LightOutcome::Blocked { ray: to_light, distance: arriving.distance });
-                continue;
+            if scene.shapes.occluded(&ray, distance) {
+                return LightOutcome::Blocked { ray, distance };
             }
         }
-        let mut reflectance = diffuse / PI;
-        if let Some((specular, exponent)) = highlight {
-            reflectance += specular * phong_lobe(mirrored.dot(arriving.to_light) as f32, exponent);
+        let mut reflectance = reflection.diffuse / PI;
+        if let Some((specular, exponent)) = reflection.highlight {
+            reflectance += specular * phong_lobe(self.mirrored.dot(arriving.to_light) as f32, exponent);
         }
         let contribution = reflectance * arriving.irradiance * cosine as f32;
-        note(LightOutcome::Free { ray: to_light, distance: arriving.distance, cosine, contribution });
-        radiance += contribution;
+        LightOutcome::Free { ray, distance, cosine, contribution }
     }
-    radiance
 }

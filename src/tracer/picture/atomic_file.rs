@@ -12,6 +12,21 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
     write_beside(path, bytes).map_err(|error| Error::new(format!("cannot write: {error}")).in_file(path))
 }
 
+/// Writes files that belong together: all of them lie beside their targets, whole, before the first takes its name. A full
+/// disk leaves none of them.
+pub fn write_together<'a>(files: impl IntoIterator<Item = (&'a Path, &'a [u8])>) -> Result<()> {
+    let failed = |path: &Path, error: std::io::Error| Error::new(format!("cannot write: {error}")).in_file(path);
+    let mut ready = Vec::new();
+    for (path, bytes) in files {
+        check_target(path)?;
+        ready.push((path, temporary_beside(path, bytes).map_err(|error| failed(path, error))?));
+    }
+    for (path, file) in ready {
+        file.persist(path).map_err(|error| failed(path, error.error))?;
+    }
+    Ok(())
+}
+
 /// An error if a file cannot be written at `path`: its folder is missing, or something else has that name. Worth asking
 /// before hours of rendering.
 pub fn check_target(path: &Path) -> Result<()> {
@@ -76,6 +91,17 @@ mod tests {
         write_atomically(&path, b"new").unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"new");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn of_files_that_belong_together_all_are_written_or_none() {
+        let folder = tempfile::tempdir().unwrap();
+        let [one, two, missing] = ["one", "two", "missing/three"].map(|name| folder.path().join(name));
+        let bytes = &b"x"[..];
+        assert!(write_together([(one.as_path(), bytes), (missing.as_path(), bytes)]).is_err());
+        assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 0);
+        write_together([(one.as_path(), bytes), (two.as_path(), bytes)]).unwrap();
+        assert!(one.is_file() && two.is_file());
     }
 
     #[cfg(unix)]

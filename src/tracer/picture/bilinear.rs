@@ -61,6 +61,7 @@ impl Footprint {
     }
 
     /// Column, row and weight of the four texels, in the order of [`Footprint::weights`].
+    #[inline(always)]
     pub fn weighted_texels(&self) -> [(usize, usize, f32); 4] {
         let ([left, right], [top, bottom]) = (self.columns, self.rows);
         let [top_left, top_right, bottom_left, bottom_right] = self.weights();
@@ -68,6 +69,7 @@ impl Footprint {
     }
 
     /// Interpolates the colours that `texel(column, row)` tells.
+    #[inline(always)]
     pub fn interpolate(&self, texel: impl Fn(usize, usize) -> Vec3) -> Vec3 {
         let [a, b, c, d] = self.weighted_texels();
         texel(a.0, a.1) * a.2 + texel(b.0, b.1) * b.2 + texel(c.0, c.1) * c.2 + texel(d.0, d.1) * d.2
@@ -112,6 +114,20 @@ fn before(position: f32, count: usize) -> (usize, f32) {
 }
 
 impl Picture {
+    /// The linear colour under a footprint within the picture.
+    #[inline]
+    pub fn interpolated(&self, footprint: &Footprint) -> Vec3 {
+        let index = |column: usize, row: usize| row * self.width() + column;
+        // The kind of texels is asked for once, not for each of the four.
+        match self.texels() {
+            Texels::Srgb8(bytes) => footprint.interpolate(|column, row| {
+                let start = 3 * index(column, row);
+                decode_srgb8([bytes[start], bytes[start + 1], bytes[start + 2]])
+            }),
+            Texels::Linear(colours) => footprint.interpolate(|column, row| colours[index(column, row)]),
+        }
+    }
+
     /// The linear colour at the point `(x, y)` in texels from the top left corner, interpolated between the four texels
     /// around it and clamped at the border. Texel centres are at half integers. Any `x`, `y` are allowed.
     #[inline(always)]

@@ -14,11 +14,12 @@ pub fn not_a_picture(encoded: &[u8]) -> Error {
 /// What the bytes are, and the advice.
 fn describe(encoded: &[u8]) -> (String, &'static str) {
     const DOWNLOAD_AGAIN: &str = "download it again";
+    const WRITE_AGAIN: &str = "write it again if your own program did, otherwise download it again";
     const CONVERT: &str = "convert it to PNG with an image editor";
     let text = leading_text(encoded);
     let starts = |signature: &[u8]| encoded.starts_with(signature);
     let (what, help) = match () {
-        () if encoded.is_empty() => ("the file is empty", DOWNLOAD_AGAIN),
+        () if encoded.is_empty() => ("the file is empty", WRITE_AGAIN),
         () if text.starts_with("version https://git-lfs") => (
             "this is a git-lfs pointer, not the picture itself",
             "run `git lfs pull` in the repository it came from, then copy the file again",
@@ -38,7 +39,12 @@ fn describe(encoded: &[u8]) -> (String, &'static str) {
         () if starts(b"\x00\x00\x00\x0CjP  ") => ("this is a JPEG 2000 picture, which is not read", CONVERT),
         () if starts(b"%PDF") => ("this is a PDF document", "export its picture as PNG"),
         () if encoded.iter().all(|&byte| byte == 0) => ("the file holds nothing but zero bytes", DOWNLOAD_AGAIN),
-        () if is_text(encoded) => ("this is a text file, not a picture", DOWNLOAD_AGAIN),
+        () if is_netpbm(encoded) => {
+            ("this is a PPM, PGM or PBM picture, which is not read", "write PNG, BMP or TGA, or convert it to PNG")
+        }
+        () if is_text(encoded) => {
+            ("this is a text file, not a picture", "name the picture itself, or download it again if it should be one")
+        }
         () => ("no known picture format", "check that the file is complete, or convert it to PNG with an image editor"),
     };
     (what.to_owned(), help)
@@ -48,6 +54,11 @@ fn describe(encoded: &[u8]) -> (String, &'static str) {
 fn leading_text(encoded: &[u8]) -> String {
     let start = String::from_utf8_lossy(&encoded[..encoded.len().min(512)]).to_ascii_lowercase();
     start.trim_start_matches('\u{feff}').trim_start().to_owned()
+}
+
+/// `P1` to `P6` and a blank, as the Netpbm formats begin.
+fn is_netpbm(encoded: &[u8]) -> bool {
+    matches!(encoded, [b'P', b'1'..=b'6', blank, ..] if blank.is_ascii_whitespace())
 }
 
 fn is_text(encoded: &[u8]) -> bool {

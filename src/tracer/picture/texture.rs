@@ -74,8 +74,7 @@ impl Texture {
     fn repeated(&self, u: f32, v: f32) -> Vec3 {
         let (columns, horizontal) = cyclic_neighbours(u, self.picture.width());
         let (rows, vertical) = cyclic_neighbours(v, self.picture.height());
-        super::Footprint { columns, rows, horizontal, vertical }
-            .interpolate(|column, row| self.picture.texel(column, row))
+        self.picture.interpolated(&super::Footprint { columns, rows, horizontal, vertical })
     }
 }
 

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+use super::text_file::read_text;
 use crate::error::{Error, Result};
 use crate::math::{DVec3, Vec3};
 
@@ -42,9 +43,7 @@ struct Place<'a> {
 impl Document {
     /// Reads a file.
     pub fn read(file: &Path) -> Result<Self> {
-        let text = std::fs::read_to_string(file)
-            .map_err(|error| Error::new(format!("cannot read the file: {error}")).in_file(file))?;
-        Ok(Self::new(file, text))
+        Ok(Self::new(file, read_text(file)?))
     }
 
     /// A document from its text; `file` is what errors call it and what paths in it are relative to.

@@ -17,19 +17,19 @@ pub(super) struct LoadedEnvironment {
     pub files: Vec<PathBuf>,
 }
 
+#[derive(Clone, Copy)]
+enum Kind {
+    Constant,
+    Gradient,
+    Equirectangular,
+    CubeMap,
+}
+
 /// Reads the environment; `map_override` replaces the picture or pictures named in the scene.
 pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Result<LoadedEnvironment> {
-    #[derive(Clone, Copy)]
-    enum Kind {
-        Constant,
-        Gradient,
-        Equirectangular,
-        CubeMap,
-    }
     let Some(mut table) = table else {
         return Ok(LoadedEnvironment { environment: Environment::BLACK, files: Vec::new() });
     };
-    let mut files = Vec::new();
     let kind = table.required("kind")?.choice(&[
         ("constant", Kind::Constant),
         ("gradient", Kind::Gradient),
@@ -41,26 +41,16 @@ pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Resul
             .error("this environment has no map that could be replaced")
             .expected("kind = \"cube-map\" or kind = \"equirectangular\""));
     }
-    let kind = match kind {
-        Kind::Constant => EnvironmentKind::Constant(table.required("radiance")?.colour()?),
-        Kind::Gradient => EnvironmentKind::Gradient(read_gradient(&mut table)?),
+    let (kind, files) = match kind {
+        Kind::Constant => (EnvironmentKind::Constant(table.required("radiance")?.colour()?), Vec::new()),
+        Kind::Gradient => (EnvironmentKind::Gradient(read_gradient(&mut table)?), Vec::new()),
         Kind::Equirectangular => {
             let (map, path) = read_equirectangular(&mut table, map_override)?;
-            files.push(path);
-            EnvironmentKind::Equirectangular(map)
+            (EnvironmentKind::Equirectangular(map), vec![path])
         }
         Kind::CubeMap => {
-            let skybox = read_skybox(&mut table, map_override)?;
-            files.extend(skybox.files());
-            let lookup = table.optional("lookup").map_or(Ok(Preset::Opengl.lookup()), |value| read_lookup(&value))?;
-            let filter = table.optional("filter").map_or(Ok(CubeFilter::default()), |value| {
-                value.choice(&[
-                    ("nearest", CubeFilter::Nearest),
-                    ("bilinear", CubeFilter::Bilinear),
-                    ("seamless", CubeFilter::Seamless),
-                ])
-            })?;
-            EnvironmentKind::CubeMap(Box::new(CubeMap::from_skybox(&skybox, lookup, filter)))
+            let (map, files) = read_cube_map(&mut table, map_override)?;
+            (EnvironmentKind::CubeMap(Box::new(map)), files)
         }
     };
     let scale = match table.optional("scale") {
@@ -69,6 +59,20 @@ pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Resul
     };
     table.finish()?;
     Ok(LoadedEnvironment { environment: Environment { kind, scale }, files })
+}
+
+fn read_cube_map(table: &mut Table, map_override: Option<PathBuf>) -> Result<(CubeMap, Vec<PathBuf>)> {
+    let skybox = read_skybox(table, map_override)?;
+    let lookup = table.optional("lookup").map_or(Ok(Preset::Opengl.lookup()), |value| read_lookup(&value))?;
+    let filter = table.optional("filter").map_or(Ok(CubeFilter::default()), |value| {
+        value.choice(&[
+            ("nearest", CubeFilter::Nearest),
+            ("bilinear", CubeFilter::Bilinear),
+            ("seamless", CubeFilter::Seamless),
+        ])
+    })?;
+    let files = skybox.files();
+    Ok((CubeMap::from_skybox(&skybox, lookup, filter), files))
 }
 
 fn read_gradient(table: &mut Table) -> Result<Gradient> {

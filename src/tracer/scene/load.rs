@@ -14,6 +14,7 @@ use crate::error::Result;
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::sampling::Sampling;
+use crate::shapes::Primitive;
 
 /// Everything a picture is computed from.
 #[derive(Debug)]
@@ -80,7 +81,42 @@ impl Scene {
                 .expected("an [environment] table of kind \"cube-map\" or \"equirectangular\""));
         }
         let surroundings = environment::read(optional_table(&mut root, "environment")?, map_override)?;
+        let placed = PlacedShapes::read(&mut root)?;
+        let lights = tables(&mut root, "lights")?.into_iter().map(light::read).collect::<Result<_>>()?;
+        root.finish()?;
 
+        let mut sources = vec![file.to_path_buf()];
+        sources.extend(placed.files);
+        sources.extend(surroundings.files);
+        let build = if integrator.hierarchy { Aggregate::new } else { Aggregate::without_hierarchy };
+        Ok(Self {
+            camera,
+            samples,
+            sampling,
+            integrator,
+            output,
+            environment: surroundings.environment,
+            materials: placed.materials,
+            material_names: placed.material_names,
+            lights,
+            shapes: build(placed.primitives),
+            sources,
+        })
+    }
+}
+
+/// The shapes of a scene with their materials.
+struct PlacedShapes {
+    primitives: Vec<Primitive>,
+    materials: Vec<Material>,
+    material_names: Vec<String>,
+    /// Meshes and textures.
+    files: Vec<PathBuf>,
+}
+
+impl PlacedShapes {
+    /// Reads the tables `materials` and `shapes`.
+    fn read(root: &mut Table) -> Result<Self> {
         let mut textures = TextureStore::default();
         let mut shapes = ShapeReader::new(&mut textures);
         if let Some(table) = root.optional("materials") {
@@ -90,7 +126,7 @@ impl Scene {
             }
         }
         let mut primitives = Vec::new();
-        for table in tables(&mut root, "shapes")? {
+        for table in tables(root, "shapes")? {
             primitives.push(shapes.read(table)?);
         }
         let material_names = shapes.names_of_materials();
@@ -100,29 +136,9 @@ impl Scene {
             let needed = |number: u32| materials[number as usize].needs_texture_coordinates();
             primitive.textured = primitive.material.numbers().iter().any(|&number| needed(number));
         }
-        let mut sources = vec![file.to_path_buf()];
-        sources.extend(shapes.meshes.keys().cloned());
-        sources.extend(textures.files().cloned());
-        sources.extend(surroundings.files);
-
-        let lights = tables(&mut root, "lights")?.into_iter().map(light::read).collect::<Result<_>>()?;
-        root.finish()?;
-        let shapes =
-            if integrator.hierarchy { Aggregate::new(primitives) } else { Aggregate::without_hierarchy(primitives) };
-        let environment = surroundings.environment;
-        Ok(Self {
-            camera,
-            samples,
-            sampling,
-            integrator,
-            output,
-            environment,
-            materials,
-            material_names,
-            lights,
-            shapes,
-            sources,
-        })
+        let mut files: Vec<_> = shapes.meshes.keys().cloned().collect();
+        files.extend(textures.files().cloned());
+        Ok(Self { primitives, materials, material_names, files })
     }
 }
 

@@ -10,6 +10,7 @@ mod material;
 mod plan;
 mod settings;
 mod shape;
+mod text_file;
 
 pub use aggregate::Aggregate;
 pub use environment::read_lookup_file;

@@ -5,7 +5,7 @@
 //!              t0          t1            with b = o.d:  t = -b -+ sqrt(1 - |o - b d|^2)
 //! ```
 
-use crate::math::functions::{arccos, arctan2};
+use crate::math::functions::{arctan2_turns, floor};
 use crate::math::{DVec2, DVec3, Side};
 
 /// Distance to the nearest hit in `(0, limit)`, in units of the direction's length.
@@ -66,8 +66,9 @@ pub(super) fn normal(point: DVec3) -> DVec3 {
 
 /// Longitude about z from +x towards +y, and latitude from the south pole up, both mapped to `[0, 1]`.
 pub(super) fn texture_coordinates(point: DVec3) -> DVec2 {
-    let longitude = arctan2(point.y, point.x) / std::f64::consts::TAU;
-    DVec2::new(longitude - longitude.floor(), 1.0 - arccos(point.z / point.length()) / std::f64::consts::PI)
+    let longitude = arctan2_turns(point.y, point.x);
+    let from_pole = 2.0 * arctan2_turns((point.x * point.x + point.y * point.y).sqrt(), point.z);
+    DVec2::new(longitude - floor(longitude) as f64, 1.0 - from_pole)
 }
 
 #[cfg(test)]

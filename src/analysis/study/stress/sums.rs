@@ -78,68 +78,51 @@ fn uneven_film_by_contrast(effort: Effort) -> Vec<Measurement> {
 
 /// A ground of a large sphere, glass with colour in it, a mirror, a rough metal, a small light; everything scaled.
 fn scene(scale: f64, integrator: &str, samples: u32) -> Option<Scene> {
-    let by = |number: f64| number * scale;
     let text = format!(
         r#"
-[camera]
-position = [0.0, {camera:e}, {eye:e}]
-target = [0.0, 0.0, {one:e}]
-field_of_view = 50
-size = [32, 24]
-samples = {samples}
-[integrator]
-kind = "{integrator}"
-caustics = "off"
-[environment]
-kind = "gradient"
-zenith = [0.2, 0.4, 0.9]
-horizon = [0.9, 0.9, 1.0]
-nadir = [0.1, 0.1, 0.1]
-[materials.ground]
-kind = "lambert"
-colour = [0.5, 0.5, 0.4]
-[materials.glass]
-kind = "glass"
-index = 1.5
-absorption = [{absorption:e}, 0.0, {absorption:e}]
-[materials.mirror]
-kind = "mirror"
-[materials.lamp]
-kind = "light"
-radiance = [50.0, 40.0, 30.0]
-[[shapes]]
-kind = "sphere"
-centre = [0.0, 0.0, {below:e}]
-radius = {ground:e}
-material = "ground"
-[[shapes]]
-kind = "sphere"
-centre = [{left:e}, 0.0, {one:e}]
-radius = {one:e}
-material = "glass"
-[[shapes]]
-kind = "box"
-minimum = [{small:e}, {left:e}, {small:e}]
-maximum = [{two:e}, {one:e}, {two:e}]
-material = "mirror"
-[[shapes]]
-kind = "sphere"
-centre = [0.0, {left:e}, {camera_height:e}]
-radius = {small:e}
-material = "lamp"
-"#,
-        camera = by(-8.0),
-        eye = by(3.0),
-        one = by(1.0),
-        two = by(2.0),
-        small = by(0.1),
-        left = by(-1.2),
-        below = by(-100.0),
-        ground = by(100.0),
-        camera_height = by(4.0),
-        absorption = 0.5 / scale,
+camera = {{ position = [0.0, {back:e}, {high:e}], target = [0.0, 0.0, {scale:e}], field_of_view = 50, size = [32, 24], samples = {samples} }}
+integrator = {{ kind = "{integrator}", caustics = "off" }}
+environment = {{ kind = "gradient", zenith = [0.2, 0.4, 0.9], horizon = [0.9, 0.9, 1.0], nadir = [0.1, 0.1, 0.1] }}
+{materials}{shapes}"#,
+        back = -8.0 * scale,
+        high = 3.0 * scale,
+        materials = scaled_materials(scale),
+        shapes = scaled_shapes(scale),
     );
     Scene::from_text(&text, "scaled.toml".as_ref()).ok()
+}
+
+fn scaled_materials(scale: f64) -> String {
+    format!(
+        r#"
+materials.ground = {{ kind = "lambert", colour = [0.5, 0.5, 0.4] }}
+materials.glass = {{ kind = "glass", index = 1.5, absorption = [{absorption:e}, 0.0, {absorption:e}] }}
+materials.mirror = {{ kind = "mirror" }}
+materials.lamp = {{ kind = "light", radiance = [50.0, 40.0, 30.0] }}
+"#,
+        absorption = 0.5 / scale,
+    )
+}
+
+fn scaled_shapes(scale: f64) -> String {
+    let by = |number: f64| number * scale;
+    format!(
+        r#"
+shapes = [
+    {{ kind = "sphere", centre = [0.0, 0.0, {below:e}], radius = {ground:e}, material = "ground" }},
+    {{ kind = "sphere", centre = [{left:e}, 0.0, {one:e}], radius = {one:e}, material = "glass" }},
+    {{ kind = "box", minimum = [{small:e}, {left:e}, {small:e}], maximum = [{two:e}, {one:e}, {two:e}], material = "mirror" }},
+    {{ kind = "sphere", centre = [0.0, {left:e}, {above:e}], radius = {small:e}, material = "lamp" }},
+]
+"#,
+        below = by(-100.0),
+        ground = by(100.0),
+        left = by(-1.2),
+        one = by(1.0),
+        small = by(0.1),
+        two = by(2.0),
+        above = by(4.0),
+    )
 }
 
 fn picture(scale: f64, integrator: &str, samples: u32) -> Option<Raster> {

@@ -24,7 +24,7 @@ const STEP: f64 = 0.025;
 /// Steps of the fine search each way, and the logarithm of one.
 const FINE_STEPS: i32 = 24;
 const FINE_STEP: f64 = 0.004;
-/// A scale off by less is not off.
+/// A scale off by less is not off; nor one off by half a pixel at the borders of a small shot.
 const TOLERANCE: f64 = 0.02;
 /// Variance below which a shot tells little.
 const DULL: f64 = 0.03 * 0.03;
@@ -32,7 +32,7 @@ const DULL: f64 = 0.03 * 0.03;
 /// What is matched: shots and images as codes, and how each shot's face stands on the screen.
 pub(super) struct Views<'a> {
     pub images: &'a [Codes; 6],
-    pub shots: [Codes; 6],
+    pub shots: &'a [Codes; 6],
     pub screens: [Screen; 6],
     pub expected: [Face; 6],
 }
@@ -67,8 +67,8 @@ impl Views<'_> {
         self.refined(coarse)
     }
 
-    /// Mean over the shots of the share of their variance that no image explains.
-    fn misfit(&self, scale: f64) -> f64 {
+    /// Mean over the shots of the share of their variance that no image explains, from 0 to 1.
+    pub fn misfit(&self, scale: f64) -> f64 {
         let images = self.levels(scale, COARSE);
         let share = |index: usize| {
             let shot = self.shot(index, scale, COARSE);
@@ -87,7 +87,9 @@ impl Views<'_> {
         let scales = (-FINE_STEPS..=FINE_STEPS).map(|step| coarse * exponential_f64(FINE_STEP * f64::from(step)));
         let scored = scales.map(|scale| (scale, self.misfit_of(&placements, scale)));
         let (scale, misfit) = scored.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are scales");
-        let is_one = (scale - 1.0).abs() < TOLERANCE || misfit > 0.9 * self.misfit_of(&placements, 1.0);
+        let narrowest = self.shots.iter().map(|shot| shot.width).min().unwrap_or(1);
+        let is_one = (scale - 1.0).abs() < TOLERANCE.max(1.0 / narrowest as f64)
+            || misfit > 0.9 * self.misfit_of(&placements, 1.0);
         if is_one { 1.0 } else { scale }
     }
 

@@ -1,7 +1,7 @@
 //! Grading: what a student's own code does, from six pictures it took along the axes, pixels alone.
 //!
 //! 1. [`thumbnail`] brings shots and images to one small size, [`tone`] takes out gamma and exposure.
-//! 2. [`field_of_view`] finds how wide the camera saw.
+//! 2. [`field_of_view`] finds how wide the camera saw, or that the code forgets to divide.
 //! 3. [`matching`] tries six images laid eight ways for each shot, and says which the pixels exclude.
 //! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`misfit`] what a shot looks like that shows no image.
 
@@ -39,6 +39,9 @@ const FLAT: f64 = 0.005 * 0.005;
 /// Side of the largest picture that is worked on.
 const LARGEST: usize = 512;
 
+/// Share of the variance that may be left unexplained before code without the division is thought of.
+const UNDIVIDED: f64 = 0.02;
+
 /// What is wrong, in one word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -59,6 +62,8 @@ pub struct Grade {
     pub camera: CameraFault,
     /// The angle it saw, in degrees; `None` for 90.
     pub field_of_view: Option<f64>,
+    /// True if the code does not divide the two coordinates by the largest component.
+    pub undivided: bool,
     /// In the order of [`Face::ALL`].
     pub faces: [FaceGrade; 6],
     pub alternative: Option<Alternative>,
@@ -85,26 +90,44 @@ impl Grader {
 
     /// Grades shots in the order of [`Face::ALL`].
     pub fn grade(&self, shots: &[Picture; 6]) -> Grade {
-        let views = self.views(shots);
-        let scale = views.scale();
+        let shots = shots.each_ref().map(|shot| limited(Codes::of_picture(shot)));
+        let mut views = self.views(&self.images, &shots);
+        let mut scale = views.scale();
+        let warped = self.undivided_images(&views, scale, &shots);
+        if let Some(warped) = &warped {
+            views = self.views(warped, &shots);
+            scale = 1.0;
+        }
         let images = views.levels(scale, SIDE);
         let readings = std::array::from_fn(|index| read_shot(&views, &images, index, scale));
         let evidence = Evidence { lookup: &self.lookup, frames: &self.frames, readings: &readings };
         let camera = evidence.camera();
         Grade {
             camera,
+            undivided: warped.is_some(),
             field_of_view: (scale != 1.0).then(|| field_of_view::degrees(scale)),
             faces: evidence.under(camera),
             alternative: evidence.alternative(camera),
         }
     }
 
-    fn views(&self, shots: &[Picture; 6]) -> Views<'_> {
+    /// The images as code shows them that does not divide, if they explain decisively more than the best scale does.
+    fn undivided_images(&self, views: &Views, scale: f64, shots: &[Codes; 6]) -> Option<[Codes; 6]> {
+        let misfit = views.misfit(scale);
+        if misfit <= UNDIVIDED {
+            return None;
+        }
+        let warped = self.images.each_ref().map(Codes::undivided);
+        let explains_more = self.views(&warped, shots).misfit(1.0) < 0.5 * misfit;
+        explains_more.then_some(warped)
+    }
+
+    fn views<'a>(&self, images: &'a [Codes; 6], shots: &'a [Codes; 6]) -> Views<'a> {
         let row = |frame: ShotFrame| self.lookup.row(frame.face);
         let v_origin = self.lookup.v_origin();
         Views {
-            images: &self.images,
-            shots: std::array::from_fn(|index| limited(Codes::of_picture(&shots[index]))),
+            images,
+            shots,
             screens: self.frames.map(|frame| Screen { laying: on_screen(row(frame), frame.right, frame.up), v_origin }),
             expected: self.frames.map(|frame| row(frame).image),
         }
@@ -129,11 +152,11 @@ fn read_shot(views: &Views, images: &ImageLevels, index: usize, scale: f64) -> R
 impl Grade {
     pub fn verdict(&self) -> GradeVerdict {
         let camera = self.camera != CameraFault::NONE || self.field_of_view.is_some();
-        let lookup = self.faces.iter().any(FaceGrade::is_wrong);
+        let lookup = self.undivided || self.faces.iter().any(FaceGrade::is_wrong);
         let nothing = self.faces.iter().any(|face| face.misfit.is_some());
         match (camera, lookup, nothing) {
-            (true, false, false) => GradeVerdict::Camera,
-            (true, ..) => GradeVerdict::CameraAndLookup,
+            (true, false, _) => GradeVerdict::Camera,
+            (true, true, _) => GradeVerdict::CameraAndLookup,
             (false, true, _) => GradeVerdict::Lookup,
             (false, false, true) => GradeVerdict::OutOfRange,
             _ if self.faces.iter().any(FaceGrade::is_decided) => GradeVerdict::Right,

@@ -1,7 +1,8 @@
 //! Pictures at one common small size, as display codes.
 
 use crate::colour::encode_srgb;
-use crate::picture::{Picture, Texels};
+use crate::math::Vec3;
+use crate::picture::{Footprint, Picture, Texels};
 
 /// A picture as sRGB-encoded codes in `[0, 1]`, three a pixel, row by row from the top left.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,7 +47,27 @@ impl Codes {
         Self { width: side, height: side, values }
     }
 
-    /// The values of some cells in another order.
+    /// The picture as code shows it that computes `u = (y + 1) / 2` from a direction of unit length, without dividing by
+    /// its largest component: what should stand at `(a, b)` of `[-1, 1]^2` stands at `(a, b) / sqrt(1 + a^2 + b^2)`.
+    pub fn undivided(&self) -> Self {
+        let place = |index: usize, count: usize| 2.0 * (index as f64 + 0.5) / count as f64 - 1.0;
+        let pixels = (0..self.height).flat_map(|row| (0..self.width).map(move |column| (column, row)));
+        let values = pixels.flat_map(|(column, row)| {
+            let (a, b) = (place(column, self.width), place(row, self.height));
+            let length = (1.0 + a * a + b * b).sqrt();
+            let texel = |coordinate: f64, count: usize| ((coordinate / length + 1.0) / 2.0 * count as f64) as f32;
+            self.interpolated(texel(a, self.width), texel(b, self.height))
+        });
+        Self { values: values.collect(), ..*self }
+    }
+
+    /// The codes at a point in pixels from the top left corner.
+    fn interpolated(&self, x: f32, y: f32) -> [f32; 3] {
+        let footprint = Footprint::new(x, y, self.width, self.height);
+        footprint.interpolate(|column, row| Vec3::from_array(self.at(row * self.width + column))).to_array()
+    }
+
+    /// The values of a cell.
     pub fn at(&self, cell: usize) -> [f32; 3] {
         [self.values[3 * cell], self.values[3 * cell + 1], self.values[3 * cell + 2]]
     }

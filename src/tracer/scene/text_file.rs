@@ -1,0 +1,63 @@
+//! Text files that students write: read, or a word on what is there instead.
+
+use std::io::ErrorKind;
+use std::path::{Path, PathBuf};
+
+use crate::error::{Error, Result};
+
+/// The text of a TOML file.
+pub(super) fn read_text(file: &Path) -> Result<String> {
+    std::fs::read_to_string(file).map_err(|error| unreadable(file, &error))
+}
+
+/// Why a file cannot be read, and which was probably meant.
+fn unreadable(file: &Path, error: &std::io::Error) -> Error {
+    const EXPECTED: &str = "a TOML file";
+    let error = match error.kind() {
+        ErrorKind::NotFound => {
+            let missing = Error::new("there is no such file");
+            match similar_file(file) {
+                Some(similar) => missing.help(format!("did you mean {}?", similar.display())),
+                None => missing,
+            }
+        }
+        ErrorKind::IsADirectory => Error::new("this is a folder").expected(EXPECTED),
+        ErrorKind::InvalidData => Error::new("this is no text, but perhaps a picture").expected(EXPECTED),
+        _ => Error::new(format!("cannot read the file: {error}")),
+    };
+    error.in_file(file)
+}
+
+/// The TOML file beside a missing one whose name without extension differs by at most two letters, the nearest.
+fn similar_file(missing: &Path) -> Option<PathBuf> {
+    let stem = missing.file_stem()?.to_str()?;
+    let folder = missing.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
+    let near = |path: PathBuf| {
+        let is_toml = path.extension().is_some_and(|extension| extension == "toml");
+        let distance = strsim::damerau_levenshtein(path.file_stem()?.to_str()?, stem);
+        (is_toml && distance <= 2).then_some((distance, path))
+    };
+    let entries = std::fs::read_dir(folder).ok()?.flatten();
+    let (_, similar) = entries.filter_map(|entry| near(entry.path())).min()?;
+    Some(missing.with_file_name(similar.file_name()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_there_instead_is_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let at = |name: &str| folder.path().join(name);
+        for name in ["directions.toml", "spheres.toml", "direction.png"] {
+            std::fs::write(at(name), b"\xff\xd8\xff").unwrap();
+        }
+        let error = |name: &str| read_text(&at(name)).unwrap_err().to_string();
+        assert!(error("directions").ends_with("directions.toml?"), "{}", error("directions"));
+        assert!(error("sphere.toml").ends_with("spheres.toml?"), "{}", error("sphere.toml"));
+        assert!(error("cubes.toml").ends_with("there is no such file"), "{}", error("cubes.toml"));
+        assert!(error("direction.png").contains("perhaps a picture"), "{}", error("direction.png"));
+        assert!(error("").contains("this is a folder"), "{}", error(""));
+    }
+}
