@@ -1,35 +1,18 @@
 //! skycube: a small, complete ray tracer for teaching, and a validator for skyboxes.
 //!
-//! Read the modules in this order; none knows those below it.
+//! Read the modules in this order; none knows those below it. They make three packages, each with its own table of
+//! contents, so that only code that has to be fast takes the compiler's time to make it fast:
+//!
+//! - `src/tracer`: from numbers to rendered pictures;
+//! - `src/analysis`: what can be found out about skyboxes, pictures and the tracer itself;
+//! - `src`: what a user meets.
 
-pub mod error;
-pub mod memory;
+pub use skycube_tracer::{
+    bvh, camera, colour, envmap, error, integrators, lights, materials, math, memory, parallel, picture, render,
+    sampling, scene, shapes,
+};
 
-pub mod math;
-
-pub mod colour;
-pub mod sampling;
-
-pub mod picture;
-
-pub mod envmap;
-
-pub mod bvh;
-pub mod shapes;
-
-pub mod camera;
-pub mod lights;
-pub mod materials;
-
-pub mod scene;
-
-pub mod integrators;
-
-pub mod render;
-
-pub mod study;
-
-pub mod validate;
+pub use skycube_analysis::{study, validate};
 
 pub mod lessons;
 

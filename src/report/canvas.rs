@@ -7,7 +7,7 @@ use tiny_skia::{
 
 use super::text_drawing::{Anchor, text_path};
 use crate::colour::ToneMap;
-use crate::picture::Raster;
+use crate::picture::{Raster, display_bytes};
 
 /// The dark that rims and plates are made of.
 pub(super) fn dark() -> Color {
@@ -111,14 +111,8 @@ pub(super) fn blank(width: usize, height: usize, colour: Color) -> Pixmap {
 
 /// A raster as it is displayed.
 pub(super) fn displayed(raster: &Raster, tone_map: ToneMap) -> Pixmap {
-    let byte = |value: f32| (value * 255.0).round() as u8;
-    let pixel = |&colour| {
-        let [red, green, blue] = tone_map.display(colour).to_array().map(byte);
-        [red, green, blue, 255]
-    };
-    let bytes = raster.pixels().iter().flat_map(pixel).collect();
     let size = IntSize::from_wh(raster.width() as u32, raster.height() as u32).expect("a raster has pixels");
-    Pixmap::from_vec(bytes, size).expect("four bytes a pixel")
+    Pixmap::from_vec(display_bytes(raster, tone_map), size).expect("four bytes a pixel")
 }
 
 /// A turn clockwise by a multiple of 90 degrees about the origin, exact (y points down).

@@ -3,11 +3,10 @@
 use tiny_skia::{Color, IntSize, Pixmap};
 
 use super::canvas::{Canvas, blank, dark, displayed};
-use super::colour_map::magma;
 use super::contact_sheet::fitted_text;
 use super::drawing::Drawing;
 use super::text_drawing::Anchor;
-use crate::colour::ToneMap;
+use crate::colour::{ToneMap, magma};
 use crate::study::Plane;
 use crate::study::comparison::{Comparison, Region, View};
 

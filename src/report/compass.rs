@@ -22,7 +22,7 @@ use tiny_skia::{IntSize, Pixmap};
 use super::compass_marks::draw_marks;
 use crate::envmap::{Face, Preset};
 use crate::math::Vec3;
-use crate::picture::{Format, Header, Picture, Texels};
+use crate::picture::{Format, Header, Picture, Texels, without_opacity};
 
 /// Width of the border strip in units of the face coordinates (the face is 2 wide).
 pub(super) const STRIP: f32 = 0.16;
@@ -41,7 +41,7 @@ pub fn draw_compass_face(face: Face, size: usize) -> Picture {
     let frame = FaceFrame::opengl(face);
     let mut pixmap = draw_background(&frame, size);
     draw_marks(pixmap.as_mut(), &frame);
-    let texels = pixmap.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect();
+    let texels = without_opacity(pixmap.data());
     let header = Header { width: size, height: size, format: Format::Png, bit_depth: 8, alpha: false };
     Picture::new(header, Texels::Srgb8(texels))
 }

@@ -6,7 +6,6 @@ use super::canvas::{Canvas, blank, displayed};
 use super::drawing::Drawing;
 use super::text_drawing::{Anchor, text_width};
 use crate::colour::ToneMap;
-use crate::math::Vec3;
 use crate::picture::Raster;
 use crate::render::AxisShot;
 
@@ -73,13 +72,7 @@ pub(super) fn fitted_text(canvas: &mut Canvas, text: &str, size: f32, position: 
 fn fitted(raster: &Raster) -> Raster {
     let size = raster.width();
     if size < 256 {
-        let factor = 256usize.div_ceil(size);
-        return Raster::from_function(size * factor, size * factor, |x, y| raster.pixel(x / factor, y / factor));
+        return raster.enlarged(256usize.div_ceil(size));
     }
-    let factor = size.div_ceil(512);
-    let mean = |x: usize, y: usize| {
-        let pixel = |index: usize| raster.pixel(x * factor + index % factor, y * factor + index / factor);
-        (0..factor * factor).map(pixel).sum::<Vec3>() / (factor * factor) as f32
-    };
-    Raster::from_function(size / factor, size / factor, mean)
+    raster.reduced(size.div_ceil(512))
 }

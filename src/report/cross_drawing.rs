@@ -1,6 +1,5 @@
 //! The drawing of the unfolded cross: every cell seen through the lookup, seams, names, arrows of u and v.
 
-use rayon::prelude::*;
 use tiny_skia::Color;
 
 use super::canvas::{Canvas, blank, dark, displayed};
@@ -12,8 +11,7 @@ use super::seam_mark::SeamMark;
 use super::text_drawing::{Anchor, text_width};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
-use crate::math::Vec3;
-use crate::picture::Raster;
+use crate::parallel;
 
 /// Side of a cell in the units of the drawing.
 pub(super) const CELL: f32 = 256.0;
@@ -42,7 +40,7 @@ pub fn draw_cross(input: &CrossInput) -> Drawing {
     let [width, height] = [4, 3].map(|cells| cells * input.cell + 2 * margin);
     let mut pixmap = blank(width, height, Color::from_rgba8(246, 245, 242, 255));
     let mut canvas = Canvas::new(pixmap.as_mut(), scale);
-    let views: Vec<Raster> = layout.cells.par_iter().map(|cell| view(input, cell)).collect();
+    let views = parallel::map(&layout.cells, |cell| cell.shot.of_map(input.map, input.cell));
     for (cell, view) in layout.cells.iter().zip(&views) {
         let place = [cell.column, cell.row].map(|index| margin + index * input.cell);
         canvas.picture(&displayed(view, input.tone_map), place);
@@ -59,26 +57,6 @@ pub fn draw_cross(input: &CrossInput) -> Drawing {
     }
     draw_legend(&mut canvas, input);
     Drawing(pixmap)
-}
-
-/// What is seen in a cell: directions in, colours out. Averaged over up to 4 x 4 samples a pixel where the images have
-/// more texels than the cell has pixels.
-fn view(input: &CrossInput, cell: &CrossCell) -> Raster {
-    let image = input.map.lookup().row(cell.shot.direction).image;
-    let texels = input.map.picture(image).map_or(1, |picture| picture.width());
-    let samples = texels.div_ceil(input.cell).clamp(1, 4);
-    let count = (input.cell * samples) as f32;
-    let [forward, up, right] =
-        [cell.shot.direction.signed_axis(), cell.shot.up, cell.shot.right()].map(SignedAxis::direction);
-    let colour = |x: usize, y: usize| {
-        let across = (2 * x + 1) as f32 / count - 1.0;
-        let down = (2 * y + 1) as f32 / count - 1.0;
-        input.map.sample(forward + right * across - up * down)
-    };
-    Raster::from_function(input.cell, input.cell, |x, y| {
-        let sample = |index: usize| colour(x * samples + index % samples, y * samples + index / samples);
-        (0..samples * samples).map(sample).sum::<Vec3>() / (samples * samples) as f32
-    })
 }
 
 fn mark_of(marks: &[SeamMark], faces: [Face; 2]) -> Option<&SeamMark> {

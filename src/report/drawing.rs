@@ -6,7 +6,7 @@ use tiny_skia::{Color, Pixmap};
 
 use super::canvas::{Canvas, blank};
 use crate::error::Result;
-use crate::picture::{Samples, write_png};
+use crate::picture::{Samples, without_opacity, write_png};
 
 /// A finished drawing: opaque, sRGB-encoded.
 #[derive(Debug, Clone, PartialEq)]
@@ -25,7 +25,7 @@ impl Drawing {
 
     /// Three bytes a pixel, row by row from the top left.
     pub fn bytes(&self) -> Vec<u8> {
-        self.0.pixels().iter().flat_map(|pixel| [pixel.red(), pixel.green(), pixel.blue()]).collect()
+        without_opacity(self.0.data())
     }
 
     /// Writes a PNG file.

@@ -4,7 +4,6 @@ mod canvas;
 mod chart_marks;
 mod check_report;
 mod code;
-mod colour_map;
 mod compare_drawing;
 mod compare_figures;
 mod compare_report;

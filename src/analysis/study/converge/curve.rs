@@ -1,0 +1,175 @@
+//! One variant at all its steps.
+
+use std::time::{Duration, Instant};
+
+use super::bias::Bias;
+use super::errors::Errors;
+use super::fit::slope;
+use super::reference::Reference;
+use super::schedule::Schedule;
+use super::variation::Variant;
+use super::watch::{Watch, Work};
+use super::{Configuration, Protocol};
+use crate::error::Result;
+use crate::integrators::RayCounts;
+use crate::picture::Raster;
+use crate::render::{Progress, Renderer, Silent};
+use crate::scene::{Plan, Scene};
+
+/// A rendering after so many samples a pixel, in the mean over the seeds.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Step {
+    pub samples: u32,
+    /// From the scene in memory to the picture: tables that a plan asks for included, decoding of pictures not.
+    pub seconds: f64,
+    /// Rays traced.
+    pub rays: u64,
+    pub errors: Errors,
+    pub bias: Bias,
+    /// Mean over all pixels and channels of the pictures of all seeds.
+    pub mean_radiance: f64,
+}
+
+impl Step {
+    /// What a second buys: `1 / (mean square error * seconds)`. The same at all steps for an error that falls with the
+    /// root of the time; infinite for a perfect picture.
+    pub fn efficiency(&self) -> f64 {
+        1.0 / (self.errors.rmse * self.errors.rmse * self.seconds)
+    }
+}
+
+/// Slopes of the root mean square error in a log-log plot: -0.5 for independent samples, steeper for better ones, 0 for
+/// what does not converge.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fit {
+    pub against_samples: Option<f64>,
+    pub against_seconds: Option<f64>,
+    /// Steps it was fitted to: those whose error is at least twice that of the reference, which hides smaller ones.
+    pub steps: usize,
+}
+
+/// One variant at all its steps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Curve {
+    pub label: String,
+    pub configuration: Configuration,
+    /// Number of the reference that the errors are against.
+    pub reference: usize,
+    pub steps: Vec<Step>,
+    pub fit: Fit,
+}
+
+/// How far above the error of the reference an error must be to tell something of the rendering.
+const ABOVE_REFERENCE: f64 = 2.0;
+
+impl Curve {
+    /// Measures a variant, whose settings the scene has, until the schedule is finished or it is asked to stop; a step
+    /// that was begun and not finished is left out.
+    pub(super) fn measure(
+        scene: &Scene,
+        variant: &Variant,
+        number: usize,
+        reference: &Reference,
+        protocol: &Protocol,
+        watch: &impl Watch,
+    ) -> Result<Self> {
+        let plan = Plan::new(scene);
+        decode_pictures(scene, &plan)?;
+        let phase =
+            watch.begin(if variant.label.is_empty() { "rendering" } else { &variant.label }, work(scene, protocol));
+        let mut runs = (0..protocol.seeds)
+            .map(|index| Run::new(scene, &plan, scene.sampling.seed.wrapping_add(index)))
+            .collect::<Result<Vec<_>>>()?;
+        let mut steps: Vec<Step> = Vec::new();
+        while let Some(samples) = protocol.schedule.next(runs[0].renderer.samples(), mean_time(&runs)) {
+            for run in &mut runs {
+                if let Err(error) = run.grow(samples, &phase) {
+                    if phase.cancelled() {
+                        return Ok(Self::of_steps(variant, number, steps, reference));
+                    }
+                    return Err(error);
+                }
+            }
+            steps.push(step(samples, &runs, reference));
+        }
+        Ok(Self::of_steps(variant, number, steps, reference))
+    }
+
+    fn of_steps(variant: &Variant, number: usize, steps: Vec<Step>, reference: &Reference) -> Self {
+        let floor = ABOVE_REFERENCE * reference.facts.errors.rmse;
+        let told: Vec<&Step> = steps.iter().filter(|step| step.errors.rmse >= floor).collect();
+        let against =
+            |cost: fn(&Step) -> f64| slope(&told.iter().map(|step| (cost(step), step.errors.rmse)).collect::<Vec<_>>());
+        let fit = Fit {
+            against_samples: against(|step| f64::from(step.samples)),
+            against_seconds: against(|step| step.seconds),
+            steps: told.len(),
+        };
+        Self { label: variant.label.clone(), configuration: variant.configuration, reference: number, steps, fit }
+    }
+}
+
+/// A rendering that grows, and the time it took so far.
+struct Run<'a> {
+    renderer: Renderer<'a>,
+    time: Duration,
+}
+
+impl<'a> Run<'a> {
+    fn new(scene: &'a Scene, plan: &'a Plan, seed: u32) -> Result<Self> {
+        let started = Instant::now();
+        let renderer = Renderer::new(scene, plan)?.scattered().seeded(seed);
+        Ok(Self { renderer, time: started.elapsed() })
+    }
+
+    fn grow(&mut self, samples: u32, progress: &dyn Progress) -> Result<()> {
+        let started = Instant::now();
+        self.renderer.add_samples(samples - self.renderer.samples(), progress)?;
+        self.time += started.elapsed();
+        Ok(())
+    }
+}
+
+fn mean_time(runs: &[Run]) -> Duration {
+    runs.iter().map(|run| run.time).sum::<Duration>() / runs.len() as u32
+}
+
+/// One sample that is not measured: pictures of the environment are decoded when a ray first reaches them.
+fn decode_pictures(scene: &Scene, plan: &Plan) -> Result<()> {
+    Renderer::new(scene, plan)?.scattered().add_samples(1, &Silent)
+}
+
+fn work(scene: &Scene, protocol: &Protocol) -> Work {
+    let [width, height] = scene.camera.size();
+    match &protocol.schedule {
+        Schedule::Samples(steps) => {
+            let samples = steps.last().map_or(0, |&samples| u64::from(samples) * u64::from(protocol.seeds));
+            Work::Samples(samples * (width * height) as u64)
+        }
+        Schedule::Time(limit) => Work::Time(*limit * protocol.seeds),
+    }
+}
+
+fn step(samples: u32, runs: &[Run], reference: &Reference) -> Step {
+    let mut counts = RayCounts::default();
+    let mut pictures: Vec<Raster> = Vec::new();
+    for run in runs {
+        let rendering = run.renderer.rendering(false);
+        counts += rendering.counts;
+        pictures.push(rendering.raster);
+    }
+    Step {
+        samples,
+        seconds: mean_time(runs).as_secs_f64(),
+        rays: counts.traced() / runs.len() as u64,
+        errors: Errors::mean_between(&pictures, &reference.mean),
+        bias: Bias::estimate(&pictures, &reference.halves),
+        mean_radiance: pictures.iter().map(mean_radiance).sum::<f64>() / pictures.len() as f64,
+    }
+}
+
+/// Mean over all pixels and channels.
+pub(super) fn mean_radiance(picture: &Raster) -> f64 {
+    let sum: f64 = picture.pixels().iter().map(|colour| colour.as_dvec3().element_sum()).sum();
+    sum / (3 * picture.pixels().len()) as f64
+}

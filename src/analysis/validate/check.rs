@@ -1,0 +1,229 @@
+//! The check of one map, from its pictures to the verdict.
+
+use super::arrangement::{Arrangement, Puzzle};
+use super::border::read_borders;
+use super::convention::{self, Convention};
+use super::edge::EdgeBorders;
+use super::foreign::Foreign;
+use super::handedness::mirrored_faces;
+use super::notes::{self, Note};
+use super::pair_cost::PairCosts;
+use super::seam::{self, Seam};
+use super::sky;
+use super::solve::{Question, Solution, UNRELATED, corrected};
+use crate::envmap::source::Skybox;
+use crate::envmap::{CubeFilter, CubeMap, Face, Laying, LazyImage, Lookup, SignedAxis};
+use crate::error::Result;
+use crate::parallel;
+use crate::picture::{Format, Picture};
+
+/// What a map, or one seam of it, is found to be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Verdict {
+    /// No other laying is decisively better, and the pixels would tell.
+    Fits,
+    /// Another laying fits decisively better, or a face does not belong.
+    Broken,
+    /// The pixels cannot tell.
+    Undecidable,
+}
+
+impl Verdict {
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Fits => "fits",
+            Self::Broken => "broken",
+            Self::Undecidable => "undecidable",
+        }
+    }
+}
+
+/// Whether images may change places.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Names {
+    /// Only if nothing else closes the seams.
+    #[default]
+    Auto,
+    /// Never.
+    Trusted,
+    /// As if the names meant nothing.
+    AnyOrder,
+}
+
+/// What the user says about the map.
+#[derive(Debug, Clone, Default)]
+pub struct CheckOptions {
+    /// The axis that points up in the user's world, if named.
+    pub world_up: Option<SignedAxis>,
+    pub names: Names,
+    /// What the report calls the lookup.
+    pub lookup_name: String,
+}
+
+/// An image as the report lists it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ImageFacts {
+    /// The name of the image.
+    pub face: Face,
+    pub file: String,
+    pub width: usize,
+    pub height: usize,
+    pub format: Format,
+    pub alpha: bool,
+}
+
+impl ImageFacts {
+    /// The six images of a skybox.
+    pub fn of_skybox(skybox: &Skybox) -> Vec<Self> {
+        let facts = |face: Face| {
+            let image = skybox.image(face);
+            let header = image.header();
+            Self {
+                face,
+                file: image.name().to_owned(),
+                width: header.width,
+                height: header.height,
+                format: header.format,
+                alpha: header.alpha,
+            }
+        };
+        Face::ALL.map(facts).to_vec()
+    }
+}
+
+/// The report on one map.
+#[derive(Debug, Clone)]
+pub struct Check {
+    pub images: Vec<ImageFacts>,
+    pub lookup: Lookup,
+    pub lookup_name: String,
+    pub verdict: Verdict,
+    /// The twelve seams as they are.
+    pub seams: Vec<Seam>,
+    pub fix: Fix,
+    /// Faces whose image belongs to no place in this map.
+    pub foreign: Vec<Foreign>,
+    /// The faces that the given lookup shows mirrored in a right-handed world.
+    pub mirrored: Vec<Face>,
+    pub notes: Vec<Note>,
+}
+
+/// What to change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fix {
+    pub faces: [FaceFix; 6],
+    /// Faces that change.
+    pub changes: usize,
+    pub convention: Option<Convention>,
+    /// The standard errors by which the next essentially different laying is worse; 0 if none is.
+    pub margin: f64,
+    pub seams_after: Vec<Seam>,
+    /// Fixes that are equally good, this one among them.
+    pub equivalents: usize,
+}
+
+/// What to change at one face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FaceFix {
+    pub face: Face,
+    /// The image that the face shall read.
+    pub image: Face,
+    /// (u', v') as functions of the (u, v) that the given lookup computes.
+    pub laying: Laying,
+    /// True if the pixels decide this laying: every other one is decisively worse.
+    pub decided: bool,
+}
+
+impl FaceFix {
+    /// True if the face keeps its image and its laying.
+    pub fn is_unchanged(&self, given: &Lookup) -> bool {
+        self.image == given.row(self.face).image && self.laying == Laying::IDENTITY
+    }
+}
+
+impl Fix {
+    /// The corrected lookup.
+    pub fn lookup(&self, given: &Lookup) -> Lookup {
+        corrected(given, &self.arrangement())
+    }
+
+    fn arrangement(&self) -> Arrangement {
+        let index = |laying: Laying| Laying::ALL.iter().position(|&known| known == laying).unwrap_or(0);
+        Arrangement { images: self.faces.map(|face| face.image), layings: self.faces.map(|face| index(face.laying)) }
+    }
+}
+
+/// Decodes all six images at once. The first one that cannot be decoded is the error.
+pub fn load(skybox: &Skybox, lookup: Lookup) -> Result<CubeMap> {
+    let decoded: Result<Vec<Picture>> = parallel::map(&skybox.images, |image| image.decode()).into_iter().collect();
+    let images: Vec<LazyImage> = decoded?.into_iter().map(LazyImage::ready).collect();
+    Ok(CubeMap::new(images.try_into().expect("there are six images"), lookup, CubeFilter::Nearest))
+}
+
+/// Checks a map under its lookup.
+pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> Result<Check> {
+    let lookup = *map.lookup();
+    let borders = read_borders(map)?;
+    let puzzle = Puzzle { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
+    let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
+    let sky = if options.world_up.is_some() { sky::hint(map, &borders, &puzzle)? } else { None };
+    let question = Question { map, images: &borders, puzzle: &puzzle, lookup: &lookup, options, quake_names, sky };
+    let solution = question.solve()?;
+
+    let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
+    let found = solution.arrangement;
+    let foreign: Vec<Foreign> = solution.foreign.into_iter().collect();
+    let strangers: Vec<Face> = foreign.iter().map(|foreign| foreign.face).collect();
+    let seams = |arrangement: &Arrangement| seam::seams(&puzzle, &borders, arrangement, &found, &strangers);
+    let fix = fix_of(&solution, &given, seams(&found));
+    let mut check = Check {
+        images,
+        lookup,
+        lookup_name: options.lookup_name.clone(),
+        verdict: verdict(&puzzle, &solution, &given, &foreign),
+        seams: seams(&given),
+        fix,
+        foreign,
+        mirrored: mirrored_faces(&lookup),
+        notes: Vec::new(),
+    };
+    check.notes = notes::collect(&check, &borders, options, sky);
+    Ok(check)
+}
+
+fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> Fix {
+    let found = &solution.arrangement;
+    let faces = Face::ALL.map(|face| FaceFix {
+        face,
+        image: found.images[face.index()],
+        laying: found.laying(face),
+        decided: solution.is_decided(face),
+    });
+    let changed = |face: &Face| {
+        let face = face.index();
+        (found.images[face], found.layings[face]) != (given.images[face], given.layings[face])
+    };
+    Fix {
+        faces,
+        changes: Face::ALL.iter().filter(|face| changed(face)).count(),
+        convention: solution.convention,
+        margin: solution.margin,
+        seams_after,
+        equivalents: solution.equivalents,
+    }
+}
+
+/// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels of at least half of
+/// the faces tell most layings from the one found, and what is found looks like a map at all.
+fn verdict(puzzle: &Puzzle, solution: &Solution, given: &Arrangement, foreign: &[Foreign]) -> Verdict {
+    let found = &solution.arrangement;
+    if found != given || !foreign.is_empty() {
+        return Verdict::Broken;
+    }
+    if solution.unsettled {
+        return Verdict::Undecidable;
+    }
+    let related = puzzle.mean_fit(found) < UNRELATED;
+    if related && solution.telling_faces() >= 3 { Verdict::Fits } else { Verdict::Undecidable }
+}

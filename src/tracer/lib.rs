@@ -1,0 +1,29 @@
+//! The ray tracer: from numbers to rendered pictures.
+//!
+//! Read the modules in this order; none knows those below it.
+
+pub mod error;
+pub mod memory;
+pub mod parallel;
+
+pub mod math;
+
+pub mod colour;
+pub mod sampling;
+
+pub mod picture;
+
+pub mod envmap;
+
+pub mod bvh;
+pub mod shapes;
+
+pub mod camera;
+pub mod lights;
+pub mod materials;
+
+pub mod scene;
+
+pub mod integrators;
+
+pub mod render;
