@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::compare_report::rounded;
-use crate::study::comparison::{Curve, Evidence, Finding};
+use crate::study::comparison::{Curve, Evidence, Finding, Partial, Region};
 
 /// The figures of a finding.
 pub(super) fn figures(finding: &Finding) -> Value {
@@ -26,10 +26,7 @@ pub(super) fn figures(finding: &Finding) -> Value {
         Finding::Scaled { factor, correlation } => {
             json!({ "factor": rounded(*factor, 3), "correlation": rounded(*correlation, 3) })
         }
-        Finding::Partial { part } => json!({
-            "fits": rounded(part.fits, 3), "by_chance": rounded(part.by_chance, 3), "border": rounded(part.border, 3),
-            "columns": part.columns, "rows": part.rows, "surrounding": part.is_surrounding()
-        }),
+        Finding::Partial { part } => partial(part),
         Finding::Unrelated { correlation } => json!({ "correlation": rounded(*correlation, 3) }),
         Finding::Laid { operation, evidence } => with(json!({ "operation": operation.name() }), evidence),
         Finding::RedBlueSwapped { evidence } => with(json!({}), evidence),
@@ -40,16 +37,27 @@ pub(super) fn figures(finding: &Finding) -> Value {
         Finding::Shifted { x, y, evidence } => with(json!({ "x": rounded(*x, 2), "y": rounded(*y, 2) }), evidence),
         Finding::ClippedHighlights { share } => json!({ "share": rounded(*share, 4) }),
         Finding::Noise { deviation } => json!({ "deviation": rounded(*deviation, 1) }),
-        Finding::Region { region } => json!({
-            "x": region.x, "y": region.y, "width": region.width, "height": region.height,
-            "flip": rounded(region.flip, 4), "flip_outside": rounded(region.flip_outside, 4),
-            "share": rounded(region.share, 4)
-        }),
+        Finding::Region { region } => one_place(region),
         Finding::Edges { share, area, deviation } => {
             json!({ "share": rounded(*share, 3), "area": rounded(*area, 3), "deviation": rounded(*deviation, 1) })
         }
         Finding::Everywhere => json!({}),
     }
+}
+
+fn partial(part: &Partial) -> Value {
+    json!({
+        "fits": rounded(part.fits, 3), "by_chance": rounded(part.by_chance, 3), "border": rounded(part.border, 3),
+        "columns": part.columns, "rows": part.rows, "surrounding": part.is_surrounding()
+    })
+}
+
+fn one_place(region: &Region) -> Value {
+    json!({
+        "x": region.x, "y": region.y, "width": region.width, "height": region.height,
+        "flip": rounded(region.flip, 4), "flip_outside": rounded(region.flip_outside, 4),
+        "share": rounded(region.share, 4)
+    })
 }
 
 fn curve_figures(curve: Curve) -> Value {

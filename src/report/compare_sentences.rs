@@ -42,10 +42,7 @@ pub(super) fn sentence(finding: &Finding) -> String {
         ),
         Finding::Scaled { factor, correlation } => scaled(*factor, *correlation),
         Finding::Partial { part } => partial(part),
-        Finding::Unrelated { .. } => "Your picture shows something else: nothing in it stands where the expected picture has \
-             it, however it is flipped, turned or shifted by up to a tenth. Check the scene, and the camera's position, \
-             direction and field of view."
-            .to_owned(),
+        Finding::Unrelated { .. } => SOMETHING_ELSE.to_owned(),
         Finding::Laid { operation, evidence } => format!("{} ({}).", laid(*operation), explained(evidence)),
         Finding::RedBlueSwapped { evidence } => {
             format!("Red and blue have changed places: you write BGR where RGB is expected ({}).", explained(evidence))
@@ -65,16 +62,24 @@ pub(super) fn sentence(finding: &Finding) -> String {
              make it smaller, unless it is the expected picture's noise."
         ),
         Finding::Region { region } => one_place(region),
-        Finding::Edges { share, area, .. } => format!(
-            "What is left lies along edges ({:.0} % of it on {:.0} % of the pixels), where samples within the pixel count: \
-             render with as many as the expected picture has, and let a single ray go through the pixel's centre.",
-            100.0 * share,
-            100.0 * area
-        ),
-        Finding::Everywhere => "The same things are to be seen, but they differ in many places, and no flip, shift, gamma or \
-             exposure explains it."
-            .to_owned(),
+        Finding::Edges { share, area, .. } => along_edges(*share, *area),
+        Finding::Everywhere => MANY_PLACES.to_owned(),
     }
+}
+
+const SOMETHING_ELSE: &str = "Your picture shows something else: nothing in it stands where the expected picture has it, \
+                              however it is flipped, turned or shifted by up to a tenth. Check the scene, and the camera's \
+                              position, direction and field of view.";
+
+const MANY_PLACES: &str = "The same things are to be seen, but they differ in many places, and no flip, shift, gamma or \
+                           exposure explains it.";
+
+fn along_edges(share: f64, area: f64) -> String {
+    let (share, area) = (100.0 * share, 100.0 * area);
+    format!(
+        "What is left lies along edges ({share:.0} % of it on {area:.0} % of the pixels), where samples within the pixel \
+         count: render with as many as the expected picture has, and let a single ray go through the pixel's centre."
+    )
 }
 
 fn one_place(region: &Region) -> String {
