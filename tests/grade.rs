@@ -13,7 +13,7 @@ use skycube::envmap::source::Skybox;
 use skycube::envmap::{Face, Preset, SignedAxis};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::render::AxisShot;
-use skycube::validate::grade::{Alternative, FaceGrade, Grade, GradeVerdict, Grader, Misfit, ShotFrame};
+use skycube::validate::grade::{Alternative, CameraFault, FaceGrade, Grade, GradeVerdict, Grader, Misfit, ShotFrame};
 use skycube::validate::load;
 
 type Vector = [f64; 3];
@@ -402,6 +402,12 @@ fn a_missing_division_is_named() {
             assert!(grade.undivided, "{}: case {number}, {:?}", photographs.name, grade.field_of_view);
             assert_eq!((grade.verdict(), grade.field_of_view), (GradeVerdict::Lookup, None));
             row.check(&student, &photographs, &grade);
+            let mirrored = Student { screen: 1, ..student.clone() }.grade(&photographs);
+            assert!(
+                mirrored.undivided || mirrored.verdict() != GradeVerdict::Right,
+                "{}: case {number}",
+                photographs.name
+            );
             let divided = Student { divides: true, ..student }.grade(&photographs);
             assert!(!divided.undivided, "{}: case {number} divides", photographs.name);
         }
@@ -434,6 +440,7 @@ fn small_shots_do_not_make_the_camera_wrong() {
         for size in [16, 20, 32, 48] {
             let grade = Student { size, ..RIGHT }.grade(&photographs);
             assert_eq!(grade.field_of_view, None, "{} at {size}", photographs.name);
+            assert!(grade.camera == CameraFault::NONE && !grade.undivided, "{} at {size}", photographs.name);
         }
     }
 }

@@ -170,7 +170,8 @@ fn a_copy_in_the_place_of_another_face_is_named() {
                 continue;
             }
             let check = with(&map, copy, map.pictures()[original].clone()).check(Names::Auto);
-            let named = check.foreign.iter().any(|foreign| matches!(foreign.reason, Reason::CopyOf(_)));
+            let reason = Reason::CopyOf(Face::ALL[original]);
+            let named = check.foreign.iter().any(|foreign| foreign.face == Face::ALL[copy] && foreign.reason == reason);
             assert!(named, "{name}: {copy} is a copy of {original}: {}", found(&check));
         }
     }

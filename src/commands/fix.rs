@@ -7,8 +7,8 @@ use clap::Args;
 use super::Outcome;
 use super::check::ValidationOptions;
 use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
+use crate::envmap::Laying;
 use crate::envmap::source::Skybox;
-use crate::envmap::{ImageOperation, Laying};
 use crate::error::{Error, Result};
 use crate::picture::write_together;
 use crate::report::{CodeLanguage, lookup_code};
@@ -48,7 +48,7 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     } else if let Some(folder) = &arguments.output {
         write_files(&skybox, &check, folder)?;
         if check.verdict == Verdict::Fits && check.fix.changes == 0 {
-            super::remark(format_args!("nothing to fix: the faces fit as they are, the files are copies\n"));
+            super::remark(format_args!("nothing to fix: the faces fit as they are\n"));
         }
     }
     for note in check.notes.iter().take(check.foreign.len()) {
@@ -108,11 +108,7 @@ fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Re
             .expected("a square picture"));
     }
     let operation = fix.laying.image_operation(check.lookup.v_origin());
-    let laid = picture.rearranged(|x, y| match operation {
-        ImageOperation::None => (x, y),
-        _ => operation.source(x, y, picture.width()),
-    });
-    let (bytes, extension) = laid.encode_lossless()?;
+    let (bytes, extension) = operation.applied(&picture).encode_lossless()?;
     let alpha = if picture.header().alpha { ", without its alpha channel" } else { "" };
     let what = match fix.laying {
         Laying::IDENTITY => format!("{} cut out{alpha}", image.name()),
@@ -139,6 +135,7 @@ fn refuse_rivals(folder: &Path, target: &Path) -> Result<()> {
 mod tests {
     use super::*;
     use crate::envmap::Face;
+    use crate::envmap::ImageOperation;
     use crate::picture;
 
     #[test]
@@ -151,8 +148,7 @@ mod tests {
         }
         let broken = folder.path().join("posy.png");
         let original = picture::read(&broken).unwrap();
-        let last = original.width() - 1;
-        let (bytes, _) = original.rearranged(|x, y| (y, last - x)).encode_lossless().unwrap();
+        let (bytes, _) = ImageOperation::TurnClockwise.applied(&original).encode_lossless().unwrap();
         std::fs::write(&broken, bytes).unwrap();
         let output = folder.path().join("fixed");
         let validation =

@@ -1,6 +1,6 @@
 //! `skycube lessons`: lists the lessons, shows one, starts one.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
@@ -72,6 +72,7 @@ pub fn run(arguments: &LessonsArguments) -> Result<Outcome> {
 
 /// `6`, `06` or the name of its folder, `06-environment-map`.
 fn lesson_number(text: &str) -> std::result::Result<u32, String> {
-    let digits = text.split_once('-').map_or(text, |(digits, _)| digits);
+    let name = Path::new(text).file_name().and_then(|name| name.to_str()).unwrap_or(text);
+    let digits = name.split_once('-').map_or(name, |(digits, _)| digits);
     digits.parse().map_err(|_| "expected the number of a lesson, such as 06; `skycube lessons` lists them".to_owned())
 }

@@ -50,7 +50,6 @@ pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
         None
     };
     let folder = &arguments.output;
-    refuse_pictures_of_others(folder)?;
     let given = take(arguments, &map, map.lookup, &map.lookup_name, world_up, folder)?;
     let sheet_file = folder.join(CONTACT_SHEET);
     refuse_to_overwrite_sources(&sheet_file, &map.sources)?;
@@ -84,16 +83,24 @@ fn side(text: &str) -> std::result::Result<u32, String> {
 
 const CONTACT_SHEET: &str = "contact-sheet.png";
 
-/// A folder with pictures named after faces, but no contact sheet of earlier shots, may hold a student's own shots or the map.
+/// A folder with pictures named after faces, but no contact sheet of earlier shots, may hold a student's own shots.
 fn refuse_pictures_of_others(folder: &Path) -> Result<()> {
-    let pictures = Face::ALL.map(|face| folder.join(format!("{}.png", face.name())));
-    match pictures.iter().find(|picture| picture.exists()) {
-        Some(picture) if !folder.join(CONTACT_SHEET).exists() => {
+    let outer = folder.parent().unwrap_or(folder);
+    if [folder, outer].iter().any(|folder| folder.join(CONTACT_SHEET).exists()) {
+        return Ok(());
+    }
+    let Ok(entries) = std::fs::read_dir(folder) else { return Ok(()) };
+    let is_shot = |path: &PathBuf| {
+        let stem = path.file_stem().unwrap_or_default();
+        path.is_file() && Face::ALL.iter().any(|face| stem.eq_ignore_ascii_case(face.name()))
+    };
+    match entries.flatten().map(|entry| entry.path()).filter(is_shot).min() {
+        Some(picture) => {
             Err(Error::new("this picture is already there, and no contact sheet of earlier shots beside it")
                 .in_file(picture)
-                .help("it may be one of your own: name another folder, or delete it"))
+                .help("it may be one of your own: name another folder with -o"))
         }
-        _ => Ok(()),
+        None => Ok(()),
     }
 }
 
@@ -115,6 +122,7 @@ fn take(
     folder: &Path,
 ) -> Result<ShotSet> {
     let targets = targets(folder, map)?;
+    refuse_pictures_of_others(folder)?;
     let shots = AxisShot::all(world_up);
     let samples = arguments.samples.unwrap_or_else(|| samples(map, arguments.size as usize));
     let rasters = render_shots(arguments, map, lookup, shots, samples)?;

@@ -29,11 +29,14 @@ impl GradeReport<'_> {
     fn verdict(&self) -> String {
         let wrong = self.grade.faces.iter().filter(|face| face.is_wrong()).count();
         let cases = if wrong == 1 { "1 face is".to_owned() } else { format!("{wrong} faces are") };
+        let others = if wrong == 0 { String::new() } else { format!(", and {cases} to be repaired") };
         match self.grade.verdict() {
             GradeVerdict::Right => "right: every shot that the pixels decide shows what it should".to_owned(),
             GradeVerdict::Lookup if self.grade.undivided => {
-                let others = if wrong == 0 { String::new() } else { format!(", and {cases} to be repaired") };
                 format!("the lookup is wrong: it does not divide by the largest component{others}")
+            }
+            GradeVerdict::CameraAndLookup if self.grade.undivided => {
+                format!("the camera is wrong, and the lookup does not divide by the largest component{others}")
             }
             GradeVerdict::Lookup => format!("the lookup is wrong: {cases} to be repaired"),
             GradeVerdict::Camera if self.grade.faces.iter().any(|face| face.misfit.is_some()) => {
@@ -75,8 +78,8 @@ impl GradeReport<'_> {
         let mut notes = Vec::new();
         if self.grade.undivided {
             notes.push(
-                "the pictures are squeezed towards the middle as by a unit direction whose components were not divided; \
-                 images and layings are told as if they had been"
+                "each picture shows only the middle of its image, enlarged, as code does that takes the components of a unit \
+                 direction without dividing them; images and layings are told as if it had divided"
                     .to_owned(),
             );
         }

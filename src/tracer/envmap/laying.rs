@@ -6,6 +6,7 @@
 
 use super::axis::SignedAxis;
 use super::lookup::{FaceLookup, VOrigin};
+use crate::picture::Picture;
 
 /// One of the eight layings: a symmetry of the square.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -117,6 +118,14 @@ impl ImageOperation {
             ImageOperation::TurnCounterclockwise => "turn 90° counterclockwise",
             ImageOperation::Transpose => "mirror about the diagonal from top left to bottom right",
             ImageOperation::Transverse => "mirror about the diagonal from top right to bottom left",
+        }
+    }
+
+    /// The picture after the operation; a picture that is not square must be left as it is.
+    pub fn applied(self, picture: &Picture) -> Picture {
+        match self {
+            ImageOperation::None => picture.clone(),
+            _ => picture.rearranged(|x, y| self.source(x, y, picture.width())),
         }
     }
 

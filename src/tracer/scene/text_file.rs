@@ -35,7 +35,7 @@ fn similar_file(missing: &Path) -> Option<PathBuf> {
     let near = |path: PathBuf| {
         let is_toml = path.extension().is_some_and(|extension| extension == "toml");
         let distance = strsim::damerau_levenshtein(path.file_stem()?.to_str()?, stem);
-        (is_toml && distance <= 2).then_some((distance, path))
+        (is_toml && distance <= stem.len().div_ceil(3).min(2)).then_some((distance, path))
     };
     let entries = std::fs::read_dir(folder).ok()?.flatten();
     let (_, similar) = entries.filter_map(|entry| near(entry.path())).min()?;

@@ -48,7 +48,7 @@ impl Codes {
     }
 
     /// The picture as code shows it that computes `u = (y + 1) / 2` from a direction of unit length, without dividing by
-    /// its largest component: what should stand at `(a, b)` of `[-1, 1]^2` stands at `(a, b) / sqrt(1 + a^2 + b^2)`.
+    /// its largest component: at `(a, b)` of `[-1, 1]^2` stands what should stand at `(a, b) / sqrt(1 + a^2 + b^2)`.
     pub fn undivided(&self) -> Self {
         let place = |index: usize, count: usize| 2.0 * (index as f64 + 0.5) / count as f64 - 1.0;
         let pixels = (0..self.height).flat_map(|row| (0..self.width).map(move |column| (column, row)));
