@@ -134,8 +134,7 @@ fn refuse_rivals(folder: &Path, target: &Path) -> Result<()> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::envmap::Face;
-    use crate::envmap::ImageOperation;
+    use crate::envmap::{Face, ImageOperation};
     use crate::picture;
 
     #[test]
