@@ -53,6 +53,7 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let options = arguments.picture.write_options(scene.output);
     let targets = Face::ALL.map(|image| arguments.output.join(format!("{}.{}", image.name(), arguments.format)));
     refuse_shared_images(&lookup)?;
+    picture::check_folder_target(&arguments.output)?;
     refuse_folder_of(&arguments.output, &scene.sources)?;
     let format = OutputFormat::of_path(&targets[0])?;
     for target in &targets {

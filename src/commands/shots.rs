@@ -121,6 +121,7 @@ fn take(
     world_up: SignedAxis,
     folder: &Path,
 ) -> Result<ShotSet> {
+    picture::check_folder_target(folder)?;
     let targets = targets(folder, map)?;
     refuse_pictures_of_others(folder)?;
     let shots = AxisShot::all(world_up);

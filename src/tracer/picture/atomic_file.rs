@@ -42,6 +42,16 @@ pub fn check_target(path: &Path) -> Result<()> {
     }
 }
 
+/// An error if `folder` cannot be a folder: something else has that name.
+pub fn check_folder_target(folder: &Path) -> Result<()> {
+    match std::fs::metadata(folder) {
+        Ok(found) if !found.is_dir() => {
+            Err(Error::new("this is a file").in_file(folder).expected("a folder, or a name that is free"))
+        }
+        _ => Ok(()),
+    }
+}
+
 fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
@@ -123,5 +133,9 @@ mod tests {
         assert!(error.problem().contains("missing does not exist"), "{error}");
         let error = write_atomically(folder.path(), b"x").unwrap_err();
         assert!(error.problem().contains("this is a folder"), "{error}");
+        let file = folder.path().join("file");
+        std::fs::write(&file, b"x").unwrap();
+        assert!(check_folder_target(&file).is_err());
+        assert!(check_folder_target(folder.path()).is_ok() && check_folder_target(&folder.path().join("new")).is_ok());
     }
 }

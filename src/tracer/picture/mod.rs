@@ -21,7 +21,7 @@ mod resize;
 mod texels;
 mod texture;
 
-pub use atomic_file::{check_target, write_atomically, write_if_absent, write_together};
+pub use atomic_file::{check_folder_target, check_target, write_atomically, write_if_absent, write_together};
 pub use bilinear::Footprint;
 pub use decode::{decode, read, read_file_header, read_header};
 pub use display::{display_bytes, without_opacity};
