@@ -6,7 +6,7 @@ use super::canvas::{Canvas, blank, dark, displayed};
 use super::contact_sheet::fitted_text;
 use super::drawing::Drawing;
 use super::text_drawing::Anchor;
-use crate::colour::{ToneMap, magma};
+use crate::colour::{ToneMap, magma_bytes};
 use crate::study::Plane;
 use crate::study::comparison::{Comparison, Region, View};
 
@@ -38,7 +38,7 @@ fn draw_row(view: &View, name: &str, framed: Option<Region>) -> Drawing {
     let factor = NARROWEST.div_ceil(view.mine.width().max(1)).max(1);
     let pictures =
         [displayed(&view.mine, ToneMap::Clamp), displayed(&view.expected, ToneMap::Clamp), heat_map(&view.flip)]
-            .map(|picture| enlarged(&picture, factor));
+            .map(|picture| enlarged(picture, factor));
     let (width, height) = (pictures[0].width() as usize, pictures[0].height() as usize);
     let mut pixmap = blank(3 * width + 4 * MARGIN, height + CAPTION + MARGIN / 2, ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), 1.0);
@@ -93,17 +93,15 @@ fn ground() -> Color {
 }
 
 fn heat_map(plane: &Plane) -> Pixmap {
-    let pixel = |&value: &f32| {
-        let [red, green, blue] = magma(value);
-        [red, green, blue, 255]
-    };
-    let bytes = plane.values().iter().flat_map(pixel).collect();
     let size = IntSize::from_wh(plane.width() as u32, plane.height() as u32).expect("a plane has pixels");
-    Pixmap::from_vec(bytes, size).expect("four bytes a pixel")
+    Pixmap::from_vec(magma_bytes(plane.values()), size).expect("four bytes a pixel")
 }
 
 /// Every pixel as a square of `factor` pixels.
-fn enlarged(picture: &Pixmap, factor: usize) -> Pixmap {
+fn enlarged(picture: Pixmap, factor: usize) -> Pixmap {
+    if factor == 1 {
+        return picture;
+    }
     let (width, height) = (picture.width() as usize * factor, picture.height() as usize * factor);
     let bytes = picture.data();
     let source = |index: usize| (index / width / factor * picture.width() as usize + index % width / factor) * 4;

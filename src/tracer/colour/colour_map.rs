@@ -22,7 +22,7 @@ const MAGMA: [[u8; 3]; 17] = [
 ];
 
 /// The colour of a value in `[0, 1]`; values outside are clamped, NaN is the lowest.
-pub fn magma(value: f32) -> [u8; 3] {
+fn magma(value: f32) -> [u8; 3] {
     let place = if value > 0.0 { value.min(1.0) } else { 0.0 } * (MAGMA.len() - 1) as f32;
     let first = (place as usize).min(MAGMA.len() - 2);
     let share = place - first as f32;
@@ -30,6 +30,15 @@ pub fn magma(value: f32) -> [u8; 3] {
         let (a, b) = (f32::from(MAGMA[first][channel]), f32::from(MAGMA[first + 1][channel]));
         (a + share * (b - a)).round() as u8
     })
+}
+
+/// The colours of many values, four bytes each: red, green, blue and full opacity.
+pub fn magma_bytes(values: &[f32]) -> Vec<u8> {
+    let pixel = |&value: &f32| {
+        let [red, green, blue] = magma(value);
+        [red, green, blue, 255]
+    };
+    values.iter().flat_map(pixel).collect()
 }
 
 #[cfg(test)]

@@ -4,7 +4,7 @@ mod colour_map;
 mod srgb;
 mod tone_map;
 
-pub use colour_map::magma;
+pub use colour_map::magma_bytes;
 pub use srgb::{SRGB8_TO_LINEAR, decode_srgb8, decode_srgb16, encode_srgb};
 pub use tone_map::{Encoding, ToneMap};
 
