@@ -1,8 +1,9 @@
 //! skycube: a small, complete ray tracer for teaching, and a validator for skyboxes.
 //!
-//! Read the modules in this order; none knows those below it. They make three packages, each with its own table of
+//! Read the modules in this order; none knows those below it. They make four packages, each with its own table of
 //! contents, so that only code that has to be fast takes the compiler's time to make it fast:
 //!
+//! - `src/files`: the formats of files, and what is said of files that are not as they should be;
 //! - `src/tracer`: from numbers to rendered pictures;
 //! - `src/analysis`: what can be found out about skyboxes, pictures and the tracer itself;
 //! - `src`: what a user meets.

@@ -2,7 +2,8 @@
 //!
 //! Read the modules in this order; none knows those below it.
 
-pub mod error;
+pub use skycube_files::error;
+
 pub mod memory;
 pub mod parallel;
 

@@ -1,76 +1,62 @@
-//! Decoding of every file format that is read.
+//! Decoded files as pictures.
 
 use std::path::Path;
 
-use super::{Format, Header, Picture, foreign, openexr, pixel_codecs};
-use crate::error::{Error, Result};
+use skycube_files::picture::{self as files, Decoded, Samples};
 
-/// The most memory the texels of one picture may take. It holds a 16384 by 8192 panorama in floats and stops a damaged
-/// or hostile header before it exhausts the machine.
-pub(super) const MEMORY_LIMIT: u64 = 2 << 30;
+use super::pixel_loops::Optimised;
+use super::{Header, Picture, Texels};
+use crate::colour::decode_srgb16;
+use crate::error::Result;
+use crate::math::Vec3;
 
 /// Decodes a picture from the bytes of its file. `name` is what errors call it.
 ///
 /// The format is found from the content, so a PNG named `.jpg` is read. Alpha is dropped, not applied. Never spawns or
 /// waits for threads.
 pub fn decode(encoded: &[u8], name: &Path) -> Result<Picture> {
-    let picture = match format_of(encoded, name)? {
-        Format::Exr => openexr::decode(encoded),
-        format => pixel_codecs::decode(encoded, format),
-    };
-    picture.map_err(|error| error.in_file(name))
-}
-
-/// What the file says of its picture, without decoding the pixels.
-pub fn read_header(encoded: &[u8], name: &Path) -> Result<Header> {
-    let header = match format_of(encoded, name)? {
-        Format::Exr => openexr::read_header(encoded),
-        format => pixel_codecs::read_header(encoded, format),
-    };
-    header.map_err(|error| error.in_file(name))
+    files::decode(encoded, name, &Optimised).map(picture)
 }
 
 /// Reads and decodes a picture file.
 pub fn read(path: &Path) -> Result<Picture> {
-    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
-    decode(&encoded, path)
+    files::read(path, &Optimised).map(picture)
+}
+
+/// What the file says of its picture, without decoding the pixels.
+pub fn read_header(encoded: &[u8], name: &Path) -> Result<Header> {
+    files::read_header(encoded, name, &Optimised)
 }
 
 /// What a picture file says of its picture, without decoding the pixels.
 pub fn read_file_header(path: &Path) -> Result<Header> {
-    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
-    read_header(&encoded, path)
+    files::read_file_header(path, &Optimised)
 }
 
-fn format_of(encoded: &[u8], name: &Path) -> Result<Format> {
-    Format::of_content(encoded, name).ok_or_else(|| foreign::not_a_picture(encoded).in_file(name))
-}
-
-fn unreadable(path: &Path, error: &std::io::Error) -> Error {
-    let error = match error.kind() {
-        std::io::ErrorKind::NotFound => Error::new("there is no such file"),
-        std::io::ErrorKind::IsADirectory => Error::new("this is a folder").expected("a picture file"),
-        _ => Error::new(format!("cannot read: {error}")),
+/// Bytes stay bytes, all else becomes linear.
+fn picture(Decoded { header, samples }: Decoded) -> Picture {
+    let texels = match samples {
+        Samples::Bytes(3, bytes) => Texels::Srgb8(bytes),
+        Samples::Bytes(4, bytes) => Texels::Srgb8(without_alpha(&bytes)),
+        Samples::Bytes(channels, bytes) => {
+            Texels::Srgb8(bytes.chunks_exact(channels).flat_map(|texel| [texel[0]; 3]).collect())
+        }
+        Samples::Words(channels @ 3.., words) => {
+            linear(&words, channels, |texel| Vec3::from([0, 1, 2].map(|channel| decode_srgb16(texel[channel]))))
+        }
+        Samples::Words(channels, words) => linear(&words, channels, |texel| Vec3::splat(decode_srgb16(texel[0]))),
+        Samples::Floats(channels @ 3.., floats) => linear(&floats, channels, Vec3::from_slice),
+        Samples::Floats(channels, floats) => linear(&floats, channels, |texel| Vec3::splat(texel[0])),
     };
-    error.in_file(path)
+    Picture::new(header, texels)
 }
 
-/// An error if a picture of this size is empty or would take more memory than is sensible.
-pub(super) fn check_size(width: usize, height: usize, bytes_per_texel: usize) -> Result<()> {
-    if width == 0 || height == 0 {
-        return Err(Error::new(format!("the picture is empty ({width} x {height})")));
-    }
-    let bytes = (width as u128) * (height as u128) * (bytes_per_texel as u128);
-    if bytes <= u128::from(MEMORY_LIMIT) {
-        return Ok(());
-    }
-    Err(Error::new(format!("the picture claims to be {width} x {height} and would take {} GiB of memory", bytes >> 30))
-        .expected(format!("at most {} GiB", MEMORY_LIMIT >> 30))
-        .help("scale the picture down, or download it again if it should be smaller"))
+fn without_alpha(bytes: &[u8]) -> Vec<u8> {
+    let mut colours = Vec::with_capacity(bytes.len() / 4 * 3);
+    bytes.chunks_exact(4).for_each(|texel| colours.extend_from_slice(&texel[..3]));
+    colours
 }
 
-/// The error for a picture whose data do not decode.
-pub(super) fn damaged(format: Format, detail: impl std::fmt::Display) -> Error {
-    Error::new(format!("this {} picture cannot be decoded: {detail}", format.name()))
-        .help("the file is damaged, incomplete or of an unsupported kind; download it again or save it anew as PNG")
+fn linear<T>(samples: &[T], channels: usize, colour: impl Fn(&[T]) -> Vec3) -> Texels {
+    Texels::Linear(samples.chunks_exact(channels).map(colour).collect())
 }

@@ -2,12 +2,9 @@
 
 use std::path::Path;
 
-use image::codecs::hdr::HdrEncoder;
-use image::codecs::jpeg::JpegEncoder;
-use image::{ExtendedColorType, ImageError};
+use skycube_files::picture::{self as files, with_remark};
 
-use super::remark::with_remark;
-use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, openexr, write_atomically};
+use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, write_atomically};
 use crate::colour::{Encoding, ToneMap};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
@@ -65,7 +62,7 @@ pub fn write_with(raster: &Raster, path: &Path, options: &WriteOptions, extras: 
         return Err(Error::new("this format holds no layers").in_file(path).expected("the extension .exr"));
     }
     let encoded = match format {
-        OutputFormat::Exr => openexr::encode(raster, extras.layers, extras.remark),
+        OutputFormat::Exr => encode_exr(raster, extras.layers, extras.remark),
         _ => encode(raster, format, options),
     };
     let encoded = encoded.map_err(|error| error.in_file(path))?;
@@ -88,9 +85,11 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
             let numbers = quantised(raster, options, 65535.0, |value| value as u16);
             encode_png(width, height, Samples::Rgb16(&numbers))
         }
-        (OutputFormat::Jpeg, _) => encode_jpeg(raster, options),
-        (OutputFormat::Hdr, _) => encode_hdr(raster),
-        (OutputFormat::Exr, _) => openexr::encode(raster, &[], None),
+        (OutputFormat::Jpeg, _) => files::encode_jpeg(width, height, &bytes(raster, options), options.jpeg_quality),
+        (OutputFormat::Hdr, _) => {
+            files::encode_hdr(width, height, raster.pixels().iter().map(|colour| colour.to_array()))
+        }
+        (OutputFormat::Exr, _) => encode_exr(raster, &[], None),
     }
 }
 
@@ -112,31 +111,17 @@ fn bytes(raster: &Raster, options: &WriteOptions) -> Vec<u8> {
     quantised(raster, options, 255.0, |value| value as u8)
 }
 
-fn encode_jpeg(raster: &Raster, options: &WriteOptions) -> Result<Vec<u8>> {
-    let (Ok(width), Ok(height)) = (u16::try_from(raster.width()), u16::try_from(raster.height())) else {
-        return Err(Error::new(format!("{} x {} is too large for JPEG", raster.width(), raster.height()))
-            .expected("at most 65535 x 65535")
-            .help("write it as .png or .exr"));
-    };
-    if !(1..=100).contains(&options.jpeg_quality) {
-        return Err(Error::new(format!("JPEG quality {}", options.jpeg_quality)).expected("from 1 to 100"));
+/// A raster and its side layers as an OpenEXR file: the channels R, G and B, and those of the layers, `normal.X` and so on.
+fn encode_exr(raster: &Raster, layers: &[SideLayer], comment: Option<&str>) -> Result<Vec<u8>> {
+    let mut channels: Vec<_> = (0..3).map(|index| channel(["R", "G", "B"][index].to_owned(), raster, index)).collect();
+    for layer in layers {
+        let named = layer.channels.iter().enumerate();
+        channels.extend(named.map(|(index, name)| channel(format!("{}.{name}", layer.name), layer.raster, index)));
     }
-    let mut encoded = Vec::new();
-    JpegEncoder::new_with_quality(&mut encoded, options.jpeg_quality)
-        .encode(&bytes(raster, options), u32::from(width), u32::from(height), ExtendedColorType::Rgb8)
-        .map_err(|error| cannot_encode("JPEG", &error))?;
-    Ok(encoded)
+    files::encode_openexr((raster.width(), raster.height()), channels, comment)
 }
 
-fn encode_hdr(raster: &Raster) -> Result<Vec<u8>> {
-    let pixels: Vec<image::Rgb<f32>> = raster.pixels().iter().map(|colour| image::Rgb(colour.to_array())).collect();
-    let mut encoded = Vec::new();
-    HdrEncoder::new(&mut encoded)
-        .encode(&pixels, raster.width(), raster.height())
-        .map_err(|error| cannot_encode("HDR", &error))?;
-    Ok(encoded)
-}
-
-fn cannot_encode(format: &str, error: &ImageError) -> Error {
-    Error::new(format!("cannot encode as {format}: {error}"))
+/// One component of a raster under a name.
+fn channel(name: String, raster: &Raster, component: usize) -> (String, Vec<f32>) {
+    (name, raster.pixels().iter().map(|colour| colour[component]).collect())
 }

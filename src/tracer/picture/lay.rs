@@ -33,19 +33,3 @@ impl Picture {
         Ok((encode(&self.to_raster(), format, &options)?, extension))
     }
 }
-
-impl Format {
-    /// The usual extension of its files.
-    pub fn extension(self) -> &'static str {
-        match self {
-            Format::Jpeg => "jpg",
-            Format::Png => "png",
-            Format::Tga => "tga",
-            Format::Bmp => "bmp",
-            Format::WebP => "webp",
-            Format::Tiff => "tif",
-            Format::Hdr => "hdr",
-            Format::Exr => "exr",
-        }
-    }
-}

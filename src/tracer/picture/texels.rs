@@ -1,6 +1,6 @@
 //! A picture as its file holds it, decoded but not converted: 8-bit files stay 8 bits a channel.
 
-use super::{Format, Raster};
+use super::{Header, Raster};
 use crate::colour::{SRGB8_TO_LINEAR, decode_srgb8};
 use crate::math::Vec3;
 
@@ -10,18 +10,6 @@ use crate::math::Vec3;
 pub struct Picture {
     header: Header,
     texels: Texels,
-}
-
-/// What a file says of its picture before any pixel is decoded.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Header {
-    pub width: usize,
-    pub height: usize,
-    pub format: Format,
-    /// Bits a channel in the file (1 to 32).
-    pub bit_depth: u8,
-    /// True if the file has an alpha channel. Its colours are read as they stand; the alpha is not applied.
-    pub alpha: bool,
 }
 
 /// Texels row by row from the top left.

@@ -1,6 +1,7 @@
 //! The table `[camera]`.
 
-use super::document::Table;
+use skycube_files::document::Table;
+
 use crate::camera::{Camera, Lens};
 use crate::error::Result;
 use crate::math::DVec3;

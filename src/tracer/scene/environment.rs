@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use super::document::{Document, Table, Value};
+use skycube_files::document::{Document, Table, Value};
+
 use crate::envmap::source::Skybox;
 use crate::envmap::{
     CubeFilter, CubeMap, Environment, EnvironmentKind, Equirectangular, Face, FaceLookup, Gradient, LazyImage, Lookup,

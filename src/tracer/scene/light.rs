@@ -1,6 +1,7 @@
 //! The tables `[[lights]]`.
 
-use super::document::{Table, Value};
+use skycube_files::document::{Table, Value};
+
 use crate::error::Result;
 use crate::lights::{Cone, Falloff, Light};
 use crate::math::DVec3;

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use skycube_files::document::{Document, Table};
+
 use super::aggregate::Aggregate;
-use super::document::{Document, Table};
 use super::material::TextureStore;
 use super::settings::{IntegratorSettings, OutputSettings};
 use super::shape::ShapeReader;

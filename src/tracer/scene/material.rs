@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use super::document::{Table, Value};
+use skycube_files::document::{Table, Value};
+
 use crate::error::{Error, Result};
 use crate::materials::{
     Checker, Coat, ColourSource, ImageTexture, METALS, Material, Metal, MetalReflectance, RoughGlass,

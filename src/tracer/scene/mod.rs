@@ -2,7 +2,6 @@
 
 mod aggregate;
 mod camera;
-mod document;
 mod environment;
 mod light;
 mod load;
@@ -10,7 +9,6 @@ mod material;
 mod plan;
 mod settings;
 mod shape;
-mod text_file;
 
 pub use aggregate::Aggregate;
 pub use environment::read_lookup_file;

@@ -1,6 +1,7 @@
 //! The tables `[integrator]` and `[output]`.
 
-use super::document::Table;
+use skycube_files::document::Table;
+
 use crate::colour::{Encoding, ToneMap};
 use crate::error::Result;
 

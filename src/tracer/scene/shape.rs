@@ -4,7 +4,8 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::document::{Table, Value};
+use skycube_files::document::{Table, Value};
+
 use super::material::TextureStore;
 use crate::error::Result;
 use crate::materials::{ColourSource, ImageTexture, Material};

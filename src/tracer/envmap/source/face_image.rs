@@ -5,7 +5,8 @@ use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::archive::ArchiveEntry;
+use skycube_files::archive::ArchiveEntry;
+
 use super::layout::Cell;
 use super::sheet::Sheet;
 use crate::envmap::Face;

@@ -1,7 +1,5 @@
 //! Finding the six faces among the files of a folder or archive, with its subfolders.
 
-use std::collections::{BTreeMap, BTreeSet};
-
 use super::listing_errors::{no_complete_set, several_folders, several_sets, unclear};
 use super::passing_over::is_passed_over;
 use super::selection::{self, Found, Selection};
@@ -38,11 +36,11 @@ pub(super) fn find_faces(paths: &[String]) -> Result<Located> {
 
 /// The directories that hold files which may be faces, in the order of their names.
 fn directories(paths: &[String]) -> Vec<Directory<'_>> {
-    let mut directories: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
-    for (index, path) in paths.iter().enumerate().filter(|(_, path)| !is_passed_over(path)) {
-        directories.entry(split(path).0).or_default().push(index);
-    }
-    directories.into_iter().map(|(name, files)| Directory { name, files }).collect()
+    let directory = |&file: &usize| split(&paths[file]).0;
+    let mut files: Vec<usize> = (0..paths.len()).filter(|&file| !is_passed_over(&paths[file])).collect();
+    files.sort_by_key(directory);
+    let together = files.chunk_by(|one, other| directory(one) == directory(other));
+    together.map(|files| Directory { name: directory(&files[0]), files: files.to_vec() }).collect()
 }
 
 /// Directory and file name of a path.
@@ -88,9 +86,11 @@ fn settle(paths: &[String], selection: &Selection) -> Result<Located> {
 
 /// The paths that are not among the given ones, sorted.
 pub(super) fn all_but(paths: &[String], used: &[usize]) -> Vec<String> {
-    let others: BTreeSet<&String> =
-        paths.iter().enumerate().filter(|(index, _)| !used.contains(index)).map(|(_, path)| path).collect();
-    others.into_iter().cloned().collect()
+    let others = paths.iter().enumerate().filter(|(index, _)| !used.contains(index));
+    let mut others: Vec<String> = others.map(|(_, path)| path.clone()).collect();
+    others.sort_unstable();
+    others.dedup();
+    others
 }
 
 #[cfg(test)]

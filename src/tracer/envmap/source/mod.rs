@@ -2,7 +2,6 @@
 //!
 //! Opening reads names and headers. Pixels are decoded face by face, when asked for.
 
-mod archive;
 mod face_image;
 mod folder;
 mod layout;
@@ -24,8 +23,8 @@ use std::sync::Arc;
 pub use face_image::FaceImage;
 pub use layout::{EnvironmentPicture, Layout};
 pub use sizes::{SizeFault, SizeFaultKind};
+use skycube_files::archive::Archive;
 
-use self::archive::Archive;
 use self::sheet::Sheet;
 use crate::envmap::Face;
 use crate::error::{Error, Result};

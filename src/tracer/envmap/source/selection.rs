@@ -1,7 +1,5 @@
 //! Choosing the six faces among the files of one directory.
 
-use std::collections::BTreeMap;
-
 use super::naming::{self, Family, Reading};
 use super::passing_over::is_readable_format;
 use crate::envmap::Face;
@@ -27,17 +25,18 @@ pub(super) enum Selection {
 /// 3. Otherwise any names that stand by themselves, if there is one for each face.
 pub(super) fn select(names: &[&str]) -> Selection {
     let readings: Vec<Vec<Reading>> = names.iter().map(|name| naming::readings(name)).collect();
-    let alike = complete_sets(names, groups(&readings, |reading| Some(affixes(reading))));
+    let alike =
+        complete_sets(names, groups(&readings, &|reading| (Some(reading.family), &reading.prefix, &reading.suffix)));
     if !alike.is_empty() {
         return judge(alike);
     }
     let separate = last_separate(&readings);
-    let families = groups(&separate, |reading| Some(reading.family));
+    let families = groups(&separate, &|reading| (Some(reading.family), "", ""));
     let complete = complete_sets(names, families.clone());
     if !complete.is_empty() {
         return judge(complete);
     }
-    let mixture = groups(&last_of_all(&separate), |_| Some(())).remove(&()).unwrap_or_default();
+    let mixture = groups(&last_of_all(&separate), &|_| (None, "", "")).pop().unwrap_or_default();
     let mixture = prefer_readable(names, mixture);
     match single_files(&mixture) {
         Some(six) => Selection::Six(six),
@@ -45,29 +44,33 @@ pub(super) fn select(names: &[&str]) -> Selection {
     }
 }
 
-/// What two names of one set have in common.
-fn affixes(reading: &Reading) -> (Family, String, String) {
-    (reading.family, reading.prefix.clone(), reading.suffix.clone())
+/// What two names of one set have in common: family, prefix and suffix.
+type Affixes<'a> = (Option<Family>, &'a str, &'a str);
+
+/// The files of each group by face, each file once; the groups in the order of what their names have in common.
+fn groups(readings: &[Vec<Reading>], affixes: &dyn Fn(&Reading) -> Affixes<'_>) -> Vec<Found> {
+    let indexed = readings.iter().enumerate().flat_map(|(index, all)| all.iter().map(move |one| (index, one)));
+    let mut files: Vec<(usize, &Reading)> = indexed.collect();
+    files.sort_by(|(_, one), (_, other)| affixes(one).cmp(&affixes(other)));
+    let alike = files.chunk_by(|(_, one), (_, other)| affixes(one) == affixes(other));
+    alike.map(by_face).collect()
 }
 
-/// The files of each group by face, each file once.
-fn groups<Key: Ord>(readings: &[Vec<Reading>], key: impl Fn(&Reading) -> Option<Key>) -> BTreeMap<Key, Found> {
-    let mut groups: BTreeMap<Key, Found> = BTreeMap::new();
-    for (index, reading) in readings.iter().enumerate().flat_map(|(index, all)| all.iter().map(move |one| (index, one)))
-    {
-        let Some(key) = key(reading) else { continue };
-        let files = &mut groups.entry(key).or_default()[reading.face.index()];
+fn by_face(files: &[(usize, &Reading)]) -> Found {
+    let mut found = Found::default();
+    for &(index, reading) in files {
+        let files = &mut found[reading.face.index()];
         if !files.contains(&index) {
             files.push(index);
         }
     }
-    groups
+    found
 }
 
 /// The groups that have every face, each different set once.
-fn complete_sets<Key>(names: &[&str], groups: BTreeMap<Key, Found>) -> Vec<Found> {
+fn complete_sets(names: &[&str], groups: Vec<Found>) -> Vec<Found> {
     let mut sets = Vec::new();
-    for found in groups.into_values().filter(|found| found.iter().all(|files| !files.is_empty())) {
+    for found in groups.into_iter().filter(|found| found.iter().all(|files| !files.is_empty())) {
         let found = prefer_readable(names, found);
         if !sets.contains(&found) {
             sets.push(found);
@@ -99,14 +102,15 @@ fn single_files(found: &Found) -> Option<[usize; 6]> {
 /// Of each file and family the last reading that stands by itself: the face's name is nearest to the end.
 fn last_separate(readings: &[Vec<Reading>]) -> Vec<Vec<Reading>> {
     let last = |all: &Vec<Reading>| {
-        let mut by_family: BTreeMap<Family, &Reading> = BTreeMap::new();
+        let mut kept: Vec<&Reading> = Vec::new();
         for reading in all.iter().filter(|reading| reading.separate) {
-            let kept = by_family.entry(reading.family).or_insert(reading);
-            if reading.prefix.len() > kept.prefix.len() {
-                *kept = reading;
+            match kept.iter_mut().find(|kept| kept.family == reading.family) {
+                Some(kept) if reading.prefix.len() <= kept.prefix.len() => {}
+                Some(kept) => *kept = reading,
+                None => kept.push(reading),
             }
         }
-        by_family.into_values().cloned().collect()
+        kept.into_iter().cloned().collect()
     };
     readings.iter().map(last).collect()
 }
@@ -129,10 +133,10 @@ fn prefer_readable(names: &[&str], mut found: Found) -> Found {
 }
 
 /// The family with the most faces, or the mixture if that has more: the best thing to show when faces are missing.
-fn most_faces(names: &[&str], families: BTreeMap<Family, Found>, mixture: Found) -> Found {
+fn most_faces(names: &[&str], families: Vec<Found>, mixture: Found) -> Found {
     let faces = |found: &Found| found.iter().filter(|files| !files.is_empty()).count();
     let mut best = Found::default();
-    for found in families.into_values().map(|found| prefer_readable(names, found)).chain([mixture]) {
+    for found in families.into_iter().map(|found| prefer_readable(names, found)).chain([mixture]) {
         if faces(&found) > faces(&best) {
             best = found;
         }

@@ -1,15 +1,14 @@
 //! A TOML document that knows where everything stands: values are taken out key by key, and every complaint names
 //! file, line and key. Keys that nobody took are unknown and refused.
 
-use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use glam::{DVec3, Vec3};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::text_file::read_text;
 use crate::error::{Error, Result};
-use crate::math::{DVec3, Vec3};
 
 /// The text of a TOML file.
 pub struct Document {
@@ -20,8 +19,16 @@ pub struct Document {
 /// A table whose keys are taken one by one.
 pub struct Table<'a> {
     place: Place<'a>,
-    entries: BTreeMap<&'a str, (usize, &'a Spanned<DeValue<'a>>)>,
+    /// In the order of the keys.
+    entries: Vec<Entry<'a>>,
     taken: Vec<&'static str>,
+}
+
+/// A key and its value; the offset is that of the key.
+struct Entry<'a> {
+    key: &'a str,
+    offset: usize,
+    value: &'a DeValue<'a>,
 }
 
 /// A value and where it stands.
@@ -90,20 +97,31 @@ impl<'a> Place<'a> {
 
 impl<'a> Table<'a> {
     fn new(place: Place<'a>, table: &'a DeTable<'a>) -> Self {
-        let entries = table.iter().map(|(key, value)| (key.get_ref().as_ref(), (key.span().start, value))).collect();
+        let entry = |(key, value): (&'a Spanned<_>, &'a Spanned<DeValue<'a>>)| Entry {
+            key: AsRef::<str>::as_ref(key.get_ref()),
+            offset: key.span().start,
+            value: value.get_ref(),
+        };
+        let mut entries: Vec<_> = table.iter().map(entry).collect();
+        entries.sort_by_key(|entry| entry.key);
         Self { place, entries, taken: Vec::new() }
     }
 
     /// Takes a key that may be missing.
     pub fn optional(&mut self, key: &'static str) -> Option<Value<'a>> {
         self.taken.push(key);
-        let (offset, value) = self.entries.remove(key)?;
-        Some(Value { place: self.place.below(key, offset), value: value.get_ref() })
+        let index = self.entries.iter().position(|entry| entry.key == key)?;
+        let entry = self.entries.remove(index);
+        Some(self.value(&entry))
     }
 
     /// True if the key is there and was not taken.
     pub fn has(&self, key: &str) -> bool {
-        self.entries.contains_key(key)
+        self.entries.iter().any(|entry| entry.key == key)
+    }
+
+    fn value(&self, entry: &Entry<'a>) -> Value<'a> {
+        Value { place: self.place.below(entry.key, entry.offset), value: entry.value }
     }
 
     /// Takes a key that must be there.
@@ -118,29 +136,24 @@ impl<'a> Table<'a> {
     /// An error that names the key somebody probably meant by a misspelt one: at most two letters differ.
     fn misspelt(&self, key: &str) -> Option<Error> {
         let distance = |found: &str| strsim::damerau_levenshtein(found, key);
-        let (found, (offset, _)) = self.entries.iter().min_by_key(|(found, _)| distance(found))?;
-        let close = distance(found) <= 2 && !self.taken.contains(found);
-        close.then(|| self.place.below(found, *offset).error("unknown key").help(format!("did you mean \"{key}\"?")))
+        let found = self.entries.iter().min_by_key(|entry| distance(entry.key))?;
+        let close = distance(found.key) <= 2 && !self.taken.contains(&found.key);
+        close.then(|| self.value(found).error("unknown key").help(format!("did you mean \"{key}\"?")))
     }
 
     /// Takes all keys that are left, whatever their names.
     pub fn take_all(&mut self) -> Vec<(String, Value<'a>)> {
-        std::mem::take(&mut self.entries)
-            .into_iter()
-            .map(|(key, (offset, value))| {
-                (key.to_owned(), Value { place: self.place.below(key, offset), value: value.get_ref() })
-            })
-            .collect()
+        let entries = std::mem::take(&mut self.entries);
+        entries.iter().map(|entry| (entry.key.to_owned(), self.value(entry))).collect()
     }
 
     /// Refuses keys that nobody took.
     pub fn finish(self) -> Result<()> {
-        let unknown = self.entries.iter().min_by_key(|(_, (offset, _))| *offset);
-        let Some((key, (offset, _))) = unknown else { return Ok(()) };
+        let Some(unknown) = self.entries.iter().min_by_key(|entry| entry.offset) else { return Ok(()) };
         let mut known = self.taken.clone();
         known.sort_unstable();
         known.dedup();
-        Err(self.place.below(key, *offset).error("unknown key").expected(format!("one of {}", known.join(", "))))
+        Err(self.value(unknown).error("unknown key").expected(format!("one of {}", known.join(", "))))
     }
 
     /// An error about this table.
@@ -271,12 +284,12 @@ impl<'a> Value<'a> {
     /// One of several named choices.
     pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
         let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-        let expected = format!("one of {}", names.join(", "));
-        let text = self.value.as_str().ok_or_else(|| self.unexpected(&expected))?;
-        choices
-            .iter()
-            .find(|(name, _)| *name == text)
-            .map(|(_, choice)| *choice)
-            .ok_or_else(|| self.unexpected(&expected))
+        Ok(choices[self.one_of(&names)?].1)
+    }
+
+    /// The place of a text in a list of those that are known.
+    fn one_of(&self, names: &[&str]) -> Result<usize> {
+        let place = self.value.as_str().and_then(|text| names.iter().position(|name| *name == text));
+        place.ok_or_else(|| self.unexpected(&format!("one of {}", names.join(", "))))
     }
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use image::codecs::png::{CompressionType, FilterType, PngEncoder};
 use image::{ExtendedColorType, ImageEncoder};
 
-use super::write_atomically;
+use crate::atomic_file::write_atomically;
 use crate::error::{Error, Result};
 
 /// Bits a channel of a PNG file.
@@ -18,7 +18,7 @@ pub enum PngDepth {
 
 /// Samples of a picture as a PNG file holds them, sRGB-encoded, row by row from the top left.
 #[derive(Debug, Clone, Copy)]
-pub enum Samples<'a> {
+pub enum PngSamples<'a> {
     /// Three bytes a pixel.
     Rgb8(&'a [u8]),
     /// Four bytes a pixel; the alpha is not premultiplied.
@@ -28,12 +28,12 @@ pub enum Samples<'a> {
 }
 
 /// A PNG file of the samples, lossless. An error if they are not `width * height` pixels.
-pub fn encode_png(width: usize, height: usize, samples: Samples<'_>) -> Result<Vec<u8>> {
+pub fn encode_png(width: usize, height: usize, samples: PngSamples<'_>) -> Result<Vec<u8>> {
     let wide: Vec<u8>;
     let (bytes, colour) = match samples {
-        Samples::Rgb8(bytes) => (bytes, ExtendedColorType::Rgb8),
-        Samples::Rgba8(bytes) => (bytes, ExtendedColorType::Rgba8),
-        Samples::Rgb16(numbers) => {
+        PngSamples::Rgb8(bytes) => (bytes, ExtendedColorType::Rgb8),
+        PngSamples::Rgba8(bytes) => (bytes, ExtendedColorType::Rgba8),
+        PngSamples::Rgb16(numbers) => {
             wide = numbers.iter().flat_map(|number| number.to_ne_bytes()).collect();
             (wide.as_slice(), ExtendedColorType::Rgb16)
         }
@@ -53,7 +53,7 @@ pub fn encode_png(width: usize, height: usize, samples: Samples<'_>) -> Result<V
 }
 
 /// Writes a PNG file of the samples, lossless, whatever the extension of `path`.
-pub fn write_png(path: &Path, width: usize, height: usize, samples: Samples<'_>) -> Result<()> {
+pub fn write_png(path: &Path, width: usize, height: usize, samples: PngSamples<'_>) -> Result<()> {
     let encoded = encode_png(width, height, samples).map_err(|error| error.in_file(path))?;
     write_atomically(path, &encoded)
 }

@@ -14,7 +14,7 @@ use crate::error::{Error, Result};
 const LARGEST_ENTRY: u64 = 1 << 30;
 
 /// The list of files in an archive.
-pub(super) struct Archive {
+pub struct Archive {
     path: Arc<Path>,
     /// Paths with `/` between the parts, and the place of each in the archive.
     entries: Vec<(String, usize)>,
@@ -22,7 +22,7 @@ pub(super) struct Archive {
 
 /// One file in an archive. The archive is opened anew for every reading, so threads do not wait for each other.
 #[derive(Debug, Clone)]
-pub(super) struct ArchiveEntry {
+pub struct ArchiveEntry {
     archive: Arc<Path>,
     path: String,
     index: usize,

@@ -1,6 +1,6 @@
 //! Reading OpenEXR files block by block in the calling thread.
 
-use std::collections::BTreeSet;
+use std::collections::HashSet;
 use std::io::Cursor;
 
 use exr::block::UncompressedBlock;
@@ -8,11 +8,10 @@ use exr::block::reader::{ChunksReader, Reader};
 use exr::meta::attribute::EnvironmentMap;
 use exr::meta::header::Header as Layer;
 
-use super::channels::{ColourChannels, samples};
+use super::channels::{ColourChannels, kind_of};
 use crate::error::{Error, Result};
-use crate::math::Vec3;
-use crate::picture::decode::{check_size, damaged};
-use crate::picture::{Format, Header, Picture, Texels};
+use crate::picture::header::{check_size, damaged};
+use crate::picture::{Decoded, Format, Header, PixelLoops, Samples, Stretch};
 
 /// How an OpenEXR file says that it wraps around the viewer (attribute `envmap`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -41,7 +40,7 @@ pub fn read_header(encoded: &[u8]) -> Result<Header> {
 
 /// Decodes the colour of the first layer. The picture is the display window: what the file has no data for is black,
 /// data outside the window are cut off.
-pub fn decode(encoded: &[u8]) -> Result<Picture> {
+pub fn decode(encoded: &[u8], loops: &dyn PixelLoops) -> Result<Decoded> {
     let reader = open(encoded)?;
     let layer = first_layer(&reader)?.clone();
     let channels = ColourChannels::find(&layer.channels)?;
@@ -51,7 +50,7 @@ pub fn decode(encoded: &[u8]) -> Result<Picture> {
         .filter_chunks(true, |_, tile, block| block.layer == 0 && tile.level_index == exr::math::Vec2(0, 0))
         .and_then(|chunks| {
             chunks.decompress_sequential(false, |_, block| {
-                canvas.draw(&layer, &block);
+                canvas.draw(&layer, &block, loops);
                 Ok(())
             })
         })
@@ -72,7 +71,7 @@ fn first_layer<'a>(reader: &'a Reader<Cursor<&[u8]>>) -> Result<&'a Layer> {
 }
 
 fn header_of(layer: &Layer, channels: ColourChannels) -> Result<Header> {
-    let texel_size = std::mem::size_of::<Vec3>();
+    let texel_size = 3 * size_of::<f32>();
     let window = layer.shared_attributes.display_window.size;
     check_size(layer.layer_size.0, layer.layer_size.1, texel_size)?;
     check_size(window.0, window.1, texel_size)?;
@@ -94,11 +93,11 @@ fn explain(error: &exr::error::Error) -> Error {
 struct Canvas {
     header: Header,
     channels: ColourChannels,
-    colours: Vec<Vec3>,
+    colours: Vec<[f32; 3]>,
     /// Column and row of the data window's first pixel in the display window.
     origin: (i64, i64),
     /// Top left corners of the blocks that came, and how many pixels they cover.
-    blocks: BTreeSet<(usize, usize)>,
+    blocks: HashSet<(usize, usize)>,
     covered: usize,
 }
 
@@ -109,41 +108,52 @@ impl Canvas {
         Self {
             header,
             channels,
-            colours: vec![Vec3::ZERO; header.width * header.height],
+            colours: vec![[0.0; 3]; header.width * header.height],
             origin: (i64::from(data.0) - i64::from(display.0), i64::from(data.1) - i64::from(display.1)),
-            blocks: BTreeSet::new(),
+            blocks: HashSet::new(),
             covered: 0,
         }
     }
 
-    fn draw(&mut self, layer: &Layer, block: &UncompressedBlock) {
+    fn draw(&mut self, layer: &Layer, block: &UncompressedBlock, loops: &dyn PixelLoops) {
         if self.blocks.insert((block.index.pixel_position.0, block.index.pixel_position.1)) {
             self.covered += block.index.pixel_size.area();
         }
         for line in block.lines(&layer.channels).filter(|line| self.channels.contain(line.location.channel)) {
-            let kind = layer.channels.list[line.location.channel].sample_type;
-            let first_column = self.origin.0 + line.location.position.0 as i64;
-            let Some(row) = self.row(line.location.position.1) else { continue };
-            for (column, sample) in (first_column..).zip(samples(line.value, kind)) {
-                if let Some(colour) =
-                    usize::try_from(column).ok().and_then(|column| self.colours[row.clone()].get_mut(column))
-                {
-                    self.channels.store(line.location.channel, sample, colour);
-                }
-            }
+            let kind = kind_of(layer.channels.list[line.location.channel].sample_type);
+            let columns = line.value.len() / kind.size();
+            let Some(visible) = self.visible(line.location.position.0, line.location.position.1, columns) else {
+                continue;
+            };
+            let bytes = &line.value[visible.skipped * kind.size()..(visible.skipped + visible.count) * kind.size()];
+            let components = self.channels.components(line.location.channel);
+            loops.store(&Stretch { start: visible.start, components, kind, bytes }, &mut self.colours);
         }
     }
 
-    /// The pixels of the display window that lie in this row of the data window; `None` above and below the window.
-    fn row(&self, data_row: usize) -> Option<std::ops::Range<usize>> {
-        let row = usize::try_from(self.origin.1 + data_row as i64).ok()?;
-        (row < self.header.height).then(|| row * self.header.width..(row + 1) * self.header.width)
+    /// The part of a line of the data window that lies in the display window; `None` if nothing does.
+    fn visible(&self, column: usize, row: usize, count: usize) -> Option<Visible> {
+        let row = usize::try_from(self.origin.1 + row as i64).ok().filter(|&row| row < self.header.height)?;
+        let first = self.origin.0 + column as i64;
+        let (from, to) = (first.max(0), (first + count as i64).min(self.header.width as i64));
+        (from < to).then(|| Visible {
+            start: row * self.header.width + from as usize,
+            skipped: (from - first) as usize,
+            count: (to - from) as usize,
+        })
     }
 
-    fn finish(self, layer: &Layer) -> Result<Picture> {
+    fn finish(self, layer: &Layer) -> Result<Decoded> {
         if self.covered != layer.layer_size.area() {
             return Err(damaged(Format::Exr, "some of its blocks are missing"));
         }
-        Ok(Picture::new(self.header, Texels::Linear(self.colours)))
+        Ok(Decoded { header: self.header, samples: Samples::Floats(3, self.colours.into_flattened()) })
     }
+}
+
+/// A part of a line: the number of its first pixel in the picture, the samples left out before it, and how many there are.
+struct Visible {
+    start: usize,
+    skipped: usize,
+    count: usize,
 }

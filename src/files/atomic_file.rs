@@ -8,21 +8,19 @@ use crate::error::{Error, Result};
 /// Writes a file in one step: the bytes go to a temporary file beside the target, which then takes its name. Whatever
 /// happens on the way, the target is the old file or the new one. The permissions are those of any new file (`umask`).
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
-    check_target(path)?;
-    write_beside(path, bytes).map_err(|error| Error::new(format!("cannot write: {error}")).in_file(path))
+    write_together([(path, bytes)])
 }
 
 /// Writes files that belong together: all of them lie beside their targets, whole, before the first takes its name. A full
 /// disk leaves none of them.
 pub fn write_together<'a>(files: impl IntoIterator<Item = (&'a Path, &'a [u8])>) -> Result<()> {
-    let failed = |path: &Path, error: std::io::Error| Error::new(format!("cannot write: {error}")).in_file(path);
     let mut ready = Vec::new();
     for (path, bytes) in files {
         check_target(path)?;
-        ready.push((path, temporary_beside(path, bytes).map_err(|error| failed(path, error))?));
+        ready.push((path, temporary_beside(path, bytes).map_err(|error| cannot_write(path, &error))?));
     }
     for (path, file) in ready {
-        file.persist(path).map_err(|error| failed(path, error.error))?;
+        file.persist(path).map_err(|error| cannot_write(path, &error.error))?;
     }
     Ok(())
 }
@@ -61,17 +59,16 @@ fn folder_of(path: &Path) -> &Path {
 
 /// As [`write_atomically`], but a file that is there stays as it is: then nothing is written, and false is given back.
 pub fn write_if_absent(path: &Path, bytes: &[u8]) -> Result<bool> {
-    let failed = |error: std::io::Error| Error::new(format!("cannot write: {error}")).in_file(path);
-    let file = temporary_beside(path, bytes).map_err(failed)?;
+    let file = temporary_beside(path, bytes).map_err(|error| cannot_write(path, &error))?;
     match file.persist_noclobber(path) {
         Ok(_) => Ok(true),
         Err(error) if error.error.kind() == std::io::ErrorKind::AlreadyExists => Ok(false),
-        Err(error) => Err(failed(error.error)),
+        Err(error) => Err(cannot_write(path, &error.error)),
     }
 }
 
-fn write_beside(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    temporary_beside(path, bytes)?.persist(path).map(|_| ()).map_err(|error| error.error)
+fn cannot_write(path: &Path, error: &std::io::Error) -> Error {
+    Error::new(format!("cannot write: {error}")).in_file(path)
 }
 
 /// A temporary file in the same folder, which is gone unless it is kept.

@@ -45,6 +45,20 @@ impl Format {
         }
     }
 
+    /// The usual extension of its files.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Format::Jpeg => "jpg",
+            Format::Png => "png",
+            Format::Tga => "tga",
+            Format::Bmp => "bmp",
+            Format::WebP => "webp",
+            Format::Tiff => "tif",
+            Format::Hdr => "hdr",
+            Format::Exr => "exr",
+        }
+    }
+
     /// The format a file name's extension promises, in any case. `None` if the extension is missing or not one of ours.
     pub fn of_extension(name: &Path) -> Option<Self> {
         let extension = name.extension()?.to_str()?.to_ascii_lowercase();

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::error::{Error, Result};
 
 /// The text of a TOML file.
-pub(super) fn read_text(file: &Path) -> Result<String> {
+pub fn read_text(file: &Path) -> Result<String> {
     std::fs::read_to_string(file).map_err(|error| unreadable(file, &error))
 }
 

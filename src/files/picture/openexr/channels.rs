@@ -1,10 +1,9 @@
 //! Which channels of an OpenEXR file are the colour.
 
 use exr::meta::attribute::{ChannelList, SampleType};
-use exr::prelude::f16;
 
 use crate::error::{Error, Result};
-use crate::math::Vec3;
+use crate::picture::SampleKind;
 
 /// Where the colour of a layer is: the index of the channel for red, green and blue, in the order of the file.
 /// A grey picture has the same index three times.
@@ -42,23 +41,17 @@ impl ColourChannels {
         self.0.into_iter().map(bits).max().unwrap_or(0)
     }
 
-    /// Stores a sample of one channel in every component of `colour` that is read from it.
-    #[inline]
-    pub fn store(self, channel: usize, sample: f32, colour: &mut Vec3) {
-        for (component, &source) in self.0.iter().enumerate() {
-            if source == channel {
-                colour[component] = sample;
-            }
-        }
+    /// Which components of the colour are read from a channel.
+    pub fn components(self, channel: usize) -> [bool; 3] {
+        self.0.map(|source| source == channel)
     }
 }
 
-/// The samples of a line as floats, from their bytes in the order of this machine.
-pub fn samples(bytes: &[u8], kind: SampleType) -> Box<dyn Iterator<Item = f32> + '_> {
-    let words = |bytes: &[u8]| [bytes[0], bytes[1], bytes[2], bytes[3]];
+/// How the samples of a channel are stored.
+pub fn kind_of(kind: SampleType) -> SampleKind {
     match kind {
-        SampleType::F16 => Box::new(bytes.chunks_exact(2).map(|half| f16::from_ne_bytes([half[0], half[1]]).to_f32())),
-        SampleType::F32 => Box::new(bytes.chunks_exact(4).map(move |word| f32::from_ne_bytes(words(word)))),
-        SampleType::U32 => Box::new(bytes.chunks_exact(4).map(move |word| u32::from_ne_bytes(words(word)) as f32)),
+        SampleType::F16 => SampleKind::Half,
+        SampleType::F32 => SampleKind::Float,
+        SampleType::U32 => SampleKind::Unsigned,
     }
 }

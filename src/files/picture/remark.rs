@@ -7,7 +7,7 @@ const PNG_HEADER: usize = 8 + 25;
 
 /// The encoded picture with a remark (ASCII) in it: a `tEXt` chunk in PNG, a comment segment in JPEG, a header line in HDR.
 /// OpenEXR files are written with theirs.
-pub(super) fn with_remark(mut encoded: Vec<u8>, format: OutputFormat, remark: &str) -> Vec<u8> {
+pub fn with_remark(mut encoded: Vec<u8>, format: OutputFormat, remark: &str) -> Vec<u8> {
     let (place, bytes) = match format {
         OutputFormat::Png => (PNG_HEADER, png_text(remark)),
         OutputFormat::Jpeg => (2, jpeg_comment(remark)),

@@ -1,0 +1,15 @@
+//! Files: what is read from them and written to them, as bytes, numbers and texts.
+//!
+//! Here is the code of the foreign formats. It is compiled with little optimisation, which is most of what it would cost
+//! otherwise: a loop over pixels that has to be fast belongs to the tracer.
+
+pub mod error;
+
+mod atomic_file;
+mod text_file;
+
+pub mod archive;
+pub mod document;
+pub mod picture;
+
+pub use atomic_file::{check_folder_target, check_target, write_atomically, write_if_absent, write_together};

@@ -1,0 +1,70 @@
+//! Decoding of every file format that is read.
+
+use std::path::Path;
+
+use super::{Format, Header, PixelLoops, foreign, openexr, still};
+use crate::error::{Error, Result};
+
+/// A decoded picture.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Decoded {
+    pub header: Header,
+    pub samples: Samples,
+}
+
+/// Samples row by row from the top left, as the file holds them, after the count of channels: grey, grey and alpha, RGB,
+/// or RGB and alpha.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Samples {
+    /// sRGB-encoded.
+    Bytes(usize, Vec<u8>),
+    /// sRGB-encoded.
+    Words(usize, Vec<u16>),
+    /// Linear radiance.
+    Floats(usize, Vec<f32>),
+}
+
+/// Decodes a picture from the bytes of its file. `name` is what errors call it.
+///
+/// The format is found from the content, so a PNG named `.jpg` is read. Never spawns or waits for threads.
+pub fn decode(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Decoded> {
+    let picture = match format_of(encoded, name)? {
+        Format::Exr => openexr::decode(encoded, loops),
+        format => still::decode(encoded, format, loops),
+    };
+    picture.map_err(|error| error.in_file(name))
+}
+
+/// What the file says of its picture, without decoding the pixels.
+pub fn read_header(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Header> {
+    let header = match format_of(encoded, name)? {
+        Format::Exr => openexr::read_header(encoded),
+        format => still::read_header(encoded, format, loops),
+    };
+    header.map_err(|error| error.in_file(name))
+}
+
+/// Reads and decodes a picture file.
+pub fn read(path: &Path, loops: &dyn PixelLoops) -> Result<Decoded> {
+    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    decode(&encoded, path, loops)
+}
+
+/// What a picture file says of its picture, without decoding the pixels.
+pub fn read_file_header(path: &Path, loops: &dyn PixelLoops) -> Result<Header> {
+    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    read_header(&encoded, path, loops)
+}
+
+fn format_of(encoded: &[u8], name: &Path) -> Result<Format> {
+    Format::of_content(encoded, name).ok_or_else(|| foreign::not_a_picture(encoded).in_file(name))
+}
+
+fn unreadable(path: &Path, error: &std::io::Error) -> Error {
+    let error = match error.kind() {
+        std::io::ErrorKind::NotFound => Error::new("there is no such file"),
+        std::io::ErrorKind::IsADirectory => Error::new("this is a folder").expected("a picture file"),
+        _ => Error::new(format!("cannot read: {error}")),
+    };
+    error.in_file(path)
+}

@@ -1,0 +1,40 @@
+//! What a file says of its picture before any pixel is decoded.
+
+use super::Format;
+use crate::error::{Error, Result};
+
+/// The most memory the texels of one picture may take. It holds a 16384 by 8192 panorama in floats and stops a damaged
+/// or hostile header before it exhausts the machine.
+pub(super) const MEMORY_LIMIT: u64 = 2 << 30;
+
+/// Size and kind of a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Header {
+    pub width: usize,
+    pub height: usize,
+    pub format: Format,
+    /// Bits a channel in the file (1 to 32).
+    pub bit_depth: u8,
+    /// True if the file has an alpha channel. Its colours are read as they stand; the alpha is not applied.
+    pub alpha: bool,
+}
+
+/// An error if a picture of this size is empty or would take more memory than is sensible.
+pub(super) fn check_size(width: usize, height: usize, bytes_per_texel: usize) -> Result<()> {
+    if width == 0 || height == 0 {
+        return Err(Error::new(format!("the picture is empty ({width} x {height})")));
+    }
+    let bytes = (width as u128) * (height as u128) * (bytes_per_texel as u128);
+    if bytes <= u128::from(MEMORY_LIMIT) {
+        return Ok(());
+    }
+    Err(Error::new(format!("the picture claims to be {width} x {height} and would take {} GiB of memory", bytes >> 30))
+        .expected(format!("at most {} GiB", MEMORY_LIMIT >> 30))
+        .help("scale the picture down, or download it again if it should be smaller"))
+}
+
+/// The error for a picture whose data do not decode.
+pub(super) fn damaged(format: Format, detail: impl std::fmt::Display) -> Error {
+    Error::new(format!("this {} picture cannot be decoded: {detail}", format.name()))
+        .help("the file is damaged, incomplete or of an unsupported kind; download it again or save it anew as PNG")
+}

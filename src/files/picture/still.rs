@@ -1,0 +1,110 @@
+//! The formats that the `image` crate decodes: all but OpenEXR.
+
+use std::io::Cursor;
+
+use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+
+use super::header::{MEMORY_LIMIT, check_size, damaged};
+use super::{Decoded, Format, Header, PixelLoops, Samples, jpeg_extent};
+use crate::error::Result;
+
+/// Decodes a picture of the given format, which is not OpenEXR.
+pub fn decode(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<Decoded> {
+    if format == Format::Jpeg && !jpeg_extent::is_complete(encoded) {
+        return Err(damaged(format, "it is truncated, its end marker is missing"));
+    }
+    let decoder = open(encoded, format, loops)?;
+    let header = header_of(&decoder, encoded, format)?;
+    let image = DynamicImage::from_decoder(decoder).map_err(|error| explain(format, &error))?;
+    Ok(Decoded { header, samples: samples_of(image) })
+}
+
+/// The header of a picture of the given format, which is not OpenEXR.
+pub fn read_header(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<Header> {
+    header_of(&open(encoded, format, loops)?, encoded, format)
+}
+
+fn open<'a>(encoded: &'a [u8], format: Format, loops: &dyn PixelLoops) -> Result<Box<dyn ImageDecoder + 'a>> {
+    let mut decoder = match loops.decoder(format, encoded) {
+        Some(decoder) => decoder.map_err(|error| explain(format, &error))?,
+        None => Box::new(
+            ImageReader::with_format(Cursor::new(encoded), image_format(format))
+                .into_decoder()
+                .map_err(|error| explain(format, &error))?,
+        ),
+    };
+    let mut limits = Limits::default();
+    limits.max_alloc = Some(2 * MEMORY_LIMIT);
+    decoder.set_limits(limits).map_err(|error| explain(format, &error))?;
+    Ok(decoder)
+}
+
+fn image_format(format: Format) -> ImageFormat {
+    match format {
+        Format::Jpeg => ImageFormat::Jpeg,
+        Format::Png => ImageFormat::Png,
+        Format::Tga => ImageFormat::Tga,
+        Format::Bmp => ImageFormat::Bmp,
+        Format::WebP => ImageFormat::WebP,
+        Format::Tiff => ImageFormat::Tiff,
+        Format::Hdr => ImageFormat::Hdr,
+        Format::Exr => ImageFormat::OpenExr,
+    }
+}
+
+/// The header; an error if the picture is too large to decode.
+fn header_of(decoder: &dyn ImageDecoder, encoded: &[u8], format: Format) -> Result<Header> {
+    let (width, height) = decoder.dimensions();
+    let (width, height) = (width as usize, height as usize);
+    let colour = decoder.color_type();
+    let eight_bits = colour.bytes_per_pixel() == colour.channel_count();
+    check_size(width, height, if eight_bits { 4 } else { 3 * size_of::<f32>() })?;
+    let bit_depth = bit_depth(encoded, format, decoder.original_color_type());
+    Ok(Header { width, height, format, bit_depth, alpha: colour.has_alpha() })
+}
+
+/// Bits a channel. The codecs widen small depths, so PNG and BMP are asked for theirs here; the colours of a palette
+/// have 8 bits, whatever the width of its indices.
+fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
+    const PNG_PALETTE: u8 = 3;
+    match format {
+        Format::Png => match (encoded.get(24), encoded.get(25)) {
+            (Some(&depth), Some(&colour_type)) if colour_type != PNG_PALETTE => depth,
+            _ => 8,
+        },
+        Format::Bmp if encoded.get(28..30) == Some(&[16, 0]) => 5,
+        Format::Hdr => 8,
+        _ => match colour {
+            ExtendedColorType::Rgb5x1 => 5,
+            _ => (colour.bits_per_pixel() / u16::from(colour.channel_count().max(1))) as u8,
+        },
+    }
+}
+
+/// The samples of a decoded image as they are.
+fn samples_of(image: DynamicImage) -> Samples {
+    let channels = usize::from(image.color().channel_count());
+    match image {
+        DynamicImage::ImageRgb8(pixels) => Samples::Bytes(channels, pixels.into_raw()),
+        DynamicImage::ImageRgba8(pixels) => Samples::Bytes(channels, pixels.into_raw()),
+        DynamicImage::ImageLuma8(pixels) => Samples::Bytes(channels, pixels.into_raw()),
+        DynamicImage::ImageLumaA8(pixels) => Samples::Bytes(channels, pixels.into_raw()),
+        DynamicImage::ImageRgb16(pixels) => Samples::Words(channels, pixels.into_raw()),
+        DynamicImage::ImageRgba16(pixels) => Samples::Words(channels, pixels.into_raw()),
+        DynamicImage::ImageLuma16(pixels) => Samples::Words(channels, pixels.into_raw()),
+        DynamicImage::ImageLumaA16(pixels) => Samples::Words(channels, pixels.into_raw()),
+        DynamicImage::ImageRgb32F(pixels) => Samples::Floats(channels, pixels.into_raw()),
+        DynamicImage::ImageRgba32F(pixels) => Samples::Floats(channels, pixels.into_raw()),
+        other => Samples::Bytes(3, other.into_rgb8().into_raw()),
+    }
+}
+
+/// Our error for one of the codec.
+fn explain(format: Format, error: &ImageError) -> crate::error::Error {
+    match error {
+        ImageError::IoError(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => {
+            damaged(format, "it is truncated, the file ends too early")
+        }
+        error => damaged(format, error),
+    }
+}
