@@ -2,17 +2,15 @@
 //! by hand. Whatever is wrong with them must be named, or called undecided; never something else.
 
 mod common;
-#[path = "support/random.rs"]
-mod random;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use random::Random;
 use skycube::envmap::source::Skybox;
 use skycube::envmap::{Face, Preset, SignedAxis};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::render::AxisShot;
+use skycube::study::stress::Random;
 use skycube::validate::grade::{Alternative, CameraFault, FaceGrade, Grade, GradeVerdict, Grader, Misfit, ShotFrame};
 use skycube::validate::load;
 

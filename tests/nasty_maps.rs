@@ -5,14 +5,12 @@ mod common;
 mod made_up;
 #[path = "damage/pictures.rs"]
 mod pictures;
-#[path = "support/random.rs"]
-mod random;
 
 use made_up::from_directions;
 use pictures::{Map, Storage, computed, display, laid, right_maps};
-use random::Random;
 use skycube::envmap::{Face, Laying};
 use skycube::picture::Picture;
+use skycube::study::stress::Random;
 use skycube::validate::{Check, Names, Note, Reason, Verdict};
 
 const SIZE: usize = 256;

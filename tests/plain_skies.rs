@@ -6,8 +6,6 @@ mod common;
 mod made_up;
 #[path = "damage/pictures.rs"]
 mod pictures;
-#[path = "support/random.rs"]
-mod random;
 #[path = "damage/recovery.rs"]
 mod recovery;
 

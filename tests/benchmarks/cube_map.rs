@@ -4,18 +4,16 @@
 
 #[path = "../common/mod.rs"]
 mod common;
-#[path = "../support/random.rs"]
-mod random;
 
 use std::hint::black_box;
 use std::path::Path;
 use std::time::Duration;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use random::Random;
 use skycube::envmap::{CubeFilter, CubeMap, LazyImage, Preset};
 use skycube::math::Vec3;
 use skycube::picture::{Format, Header, Picture, Texels, decode};
+use skycube::study::stress::Random;
 
 const SIZE: usize = 2048;
 const LOOKUPS: usize = 1 << 20;

@@ -4,14 +4,11 @@
 
 #[path = "../support/icosphere.rs"]
 mod icosphere;
-#[path = "../support/random.rs"]
-mod random;
 
 use std::sync::Arc;
 use std::time::Duration;
 
 use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main, measurement::WallTime};
-use random::Random;
 use skycube::envmap::{
     CubeFilter, CubeMap, Environment, EnvironmentKind, EnvironmentSampler, Equirectangular, LazyImage, Preset,
     SignedAxis,
@@ -20,6 +17,7 @@ use skycube::math::{DVec3, Transform, Vec3};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::shapes::mesh::Mesh;
 use skycube::shapes::{Geometry, MaterialChoice, Outline, Primitive, ShapeSampler};
+use skycube::study::stress::Random;
 
 const DRAWS: usize = 1 << 16;
 

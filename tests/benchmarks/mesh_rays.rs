@@ -5,8 +5,6 @@
 
 #[path = "../support/icosphere.rs"]
 mod icosphere;
-#[path = "../support/random.rs"]
-mod random;
 
 use std::hint::black_box;
 use std::time::Duration;
@@ -15,6 +13,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
 use skycube::math::DVec3;
 use skycube::shapes::mesh::Mesh;
+use skycube::study::stress::Random;
 
 const SIDE: usize = 1024;
 
@@ -33,7 +32,7 @@ fn primary_rays() -> Rays {
 
 /// From points in the ball of radius 1/2, in all directions.
 fn incoherent_rays() -> Rays {
-    let mut random = random::Random(1);
+    let mut random = Random(1);
     (0..SIDE * SIDE).map(|_| (random.in_ball() * 0.5, random.direction())).collect()
 }
 

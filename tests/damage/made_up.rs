@@ -3,9 +3,9 @@
 
 use skycube::envmap::{Face, FacePoint, Preset};
 use skycube::math::Vec3;
+use skycube::study::stress::Random;
 
 use super::pictures::{Map, computed};
-use super::random::Random;
 
 /// A map whose display colours are a function of the direction, rounded to whole codes after noise of this amplitude.
 pub fn from_directions(size: usize, noise: f64, colour: impl Fn(Vec3) -> [f32; 3]) -> Map {

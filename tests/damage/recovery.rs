@@ -2,10 +2,10 @@
 #![allow(dead_code)] // Every test uses a part of it.
 
 use skycube::envmap::{Face, Laying};
+use skycube::study::stress::Random;
 use skycube::validate::{Check, Names};
 
 use super::pictures::Map;
-use super::random::Random;
 
 /// How a damaged map came back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

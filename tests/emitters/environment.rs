@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use skycube::colour::luminance;
 use skycube::envmap::{CubeFilter, Environment, EnvironmentKind, EnvironmentSampler, SignedAxis};
 use skycube::math::{DVec3, Vec3};
+use skycube::study::stress::Random;
 
 use crate::histogram::deviation;
 use crate::maps::{cube, environment, gradient, lookups, noise, noise_cube, panorama};
-use crate::random::Random;
 use crate::support::{cube_bin, cube_integrals, mean_and_error, stratified};
 
 const FILTERS: [CubeFilter; 3] = [CubeFilter::Nearest, CubeFilter::Bilinear, CubeFilter::Seamless];

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use skycube::math::{DAffine3, DMat3, DVec3, Ray, Transform};
 use skycube::shapes::mesh::Mesh;
 use skycube::shapes::{Geometry, MaterialChoice, Outline, Primitive, ShapeSampler};
+use skycube::study::stress::Random;
 
 use crate::icosphere::icosphere;
-use crate::random::Random;
 
 /// A transform: moved, turned, scaled.
 pub fn placed(translate: [f64; 3], rotate: [f64; 3], scale: [f64; 3]) -> Transform {

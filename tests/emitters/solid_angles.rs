@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use skycube::math::{DVec3, Ray, Transform};
 use skycube::shapes::{Geometry, Outline, Primitive, ShapeSampler};
+use skycube::study::stress::Random;
 
 use crate::histogram::deviation;
-use crate::random::Random;
 use crate::shape_hits::{mesh, placed, primitive, sampler, shapes, viewers};
 use crate::support::{cube_bin, cube_integrals, mean_and_error, point_on_cube};
 

@@ -5,9 +5,9 @@ use std::f64::consts::PI;
 use skycube::colour::luminance;
 use skycube::envmap::{CubeFilter, EnvironmentSampler, SignedAxis};
 use skycube::math::{DVec3, Vec3};
+use skycube::study::stress::Random;
 
 use crate::maps::{cube, lookups, panorama};
-use crate::random::Random;
 use crate::support::{cube_integrals, mean_and_error};
 
 #[test]

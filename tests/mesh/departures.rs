@@ -2,9 +2,9 @@
 
 use skycube::math::{DAffine3, DVec3, Side, Transform, Vec3};
 use skycube::shapes::mesh::{Mesh, MeshGeometry, MeshHit};
+use skycube::study::stress::Random;
 
 use crate::icosphere::{icosphere, placed};
-use crate::random::Random;
 
 /// The cube [-1, 1]^3 of twelve triangles, front outside.
 fn cube() -> MeshGeometry {

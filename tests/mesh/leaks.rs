@@ -2,9 +2,9 @@
 
 use skycube::math::{DVec3, Vec3};
 use skycube::shapes::mesh::{Mesh, MeshGeometry};
+use skycube::study::stress::Random;
 
 use crate::icosphere::{bumps, icosphere, placed};
-use crate::random::Random;
 
 /// Rays that come out of a closed mesh: `rays` random ones, ones at every vertex and at points of every edge, and
 /// ones along the axes; from points within `inside` of the mesh's centre.

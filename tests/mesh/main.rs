@@ -2,8 +2,6 @@
 
 #[path = "../support/icosphere.rs"]
 mod icosphere;
-#[path = "../support/random.rs"]
-mod random;
 
 mod departures;
 mod input;

@@ -3,9 +3,9 @@
 use proptest::prelude::*;
 use skycube::math::{DVec3, Vec3};
 use skycube::shapes::mesh::{Mesh, MeshGeometry, MeshHit, ShearedRay};
+use skycube::study::stress::Random;
 
 use crate::icosphere::{icosphere, placed};
-use crate::random::Random;
 
 /// Every triangle by itself; of equal ones the lowest number.
 fn brute_force(geometry: &MeshGeometry, origin: DVec3, direction: DVec3) -> Option<MeshHit> {

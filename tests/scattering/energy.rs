@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use skycube::materials::{Material, RoughGlass, Scattering};
 use skycube::math::Vec3;
+use skycube::study::stress::Random;
 
-use crate::random::Random;
 use crate::subjects::{ROUGHNESSES, glass, lambert, phong, scattering, view, white_coated, white_metal};
 
 const COSINES: [f64; 9] = [1e-3, 0.01, 0.03, 0.1, 0.3, 0.5, 0.75, 0.9, 1.0];

@@ -2,8 +2,6 @@
 
 #[path = "../support/chi_square.rs"]
 mod chi_square;
-#[path = "../support/random.rs"]
-mod random;
 
 mod energy;
 mod samples;

@@ -2,9 +2,9 @@
 
 use skycube::materials::{Evaluation, Scattering};
 use skycube::math::DVec3;
+use skycube::study::stress::Random;
 
 use crate::chi_square::{Bins, Outcome, chi_square};
-use crate::random::Random;
 use crate::subjects::{glass, gold, lambert, phong, scattering, view, white_coated, white_metal};
 
 const COUNT: usize = 100_000;

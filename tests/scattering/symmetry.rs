@@ -1,8 +1,8 @@
 //! Reciprocity, and the limits of roughness and index.
 
 use skycube::math::DVec3;
+use skycube::study::stress::Random;
 
-use crate::random::Random;
 use crate::subjects::{glass, gold, phong, scattering, view, white_coated, white_metal};
 
 fn upwards(random: &mut Random) -> DVec3 {

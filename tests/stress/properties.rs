@@ -9,10 +9,10 @@ use skycube::math::{DVec2, DVec3, Departure, Ray, Side, Vec3};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::shapes::Geometry;
 use skycube::shapes::mesh::Mesh;
+use skycube::study::stress::Random;
 use skycube::study::stress::{ball, hit_error, placed, ulp_f32};
 
 use crate::icosphere;
-use crate::random::Random;
 
 /// A number with an even distribution of its logarithm, from `10^low` to `10^high`.
 fn magnitude(low: f64, high: f64) -> impl Strategy<Value = f64> {

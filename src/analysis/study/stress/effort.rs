@@ -25,47 +25,63 @@ impl Effort {
 }
 
 /// The worst of `count` inputs: its error and what it was. An error that is no number counts as infinite.
-pub fn worst_of<T: Send>(count: usize, seed: u64, measure: impl Fn(&mut Random) -> (f64, T) + Sync) -> (f64, T) {
-    let of_chunk = |chunk: usize| {
-        let mut random = generator(seed, chunk);
-        let size = CHUNK.min(count - chunk * CHUNK);
-        (0..size).map(|_| measure(&mut random)).map(number_or_infinite).reduce(worse).expect("a chunk is not empty")
-    };
-    let chunks = parallel::map(0..count.div_ceil(CHUNK), of_chunk);
-    chunks.into_iter().reduce(worse).expect("at least one input")
+pub fn worst_of<T>(count: usize, seed: u64, measure: impl Fn(&mut Random) -> (f64, T) + Sync) -> (f64, T) {
+    let chunks = of_chunks(count, seed, &|size, random| {
+        let mut worst = (f64::NEG_INFINITY, random.clone());
+        for _ in 0..size {
+            let before = random.clone();
+            let error = number_or_infinite(measure(random).0);
+            if error > worst.0 {
+                worst = (error, before);
+            }
+        }
+        worst
+    });
+    let worst = chunks.into_iter().reduce(|one, other| if other.0 > one.0 { other } else { one });
+    // The generator is where it was before that input, which is made once more.
+    let (error, mut random) = worst.expect("at least one input");
+    (error, measure(&mut random).1)
 }
 
 /// How many of a million inputs are at fault, and the first that is. `try_one` tells the input if it is.
-pub fn faults_of<T: Send>(
-    count: usize,
-    seed: u64,
-    try_one: impl Fn(&mut Random) -> Option<T> + Sync,
-) -> (f64, Option<T>) {
-    let of_chunk = |chunk: usize| {
-        let mut random = generator(seed, chunk);
-        let size = CHUNK.min(count - chunk * CHUNK);
-        let mut faults = (0..size).filter_map(|_| try_one(&mut random));
-        let first = faults.next();
-        (usize::from(first.is_some()) + faults.count(), first)
-    };
-    let chunks = parallel::map(0..count.div_ceil(CHUNK), of_chunk);
-    let faults: usize = chunks.iter().map(|(faults, _)| faults).sum();
-    (faults as f64 * 1e6 / count as f64, chunks.into_iter().find_map(|(_, first)| first))
+pub fn faults_of<T>(count: usize, seed: u64, try_one: impl Fn(&mut Random) -> Option<T> + Sync) -> (f64, Option<T>) {
+    let chunks = of_chunks(count, seed, &|size, random| {
+        let (mut faults, mut first) = (0.0, random.clone());
+        for _ in 0..size {
+            let before = random.clone();
+            if try_one(random).is_some() {
+                if faults == 0.0 {
+                    first = before;
+                }
+                faults += 1.0;
+            }
+        }
+        (faults, first)
+    });
+    let faults: f64 = chunks.iter().map(|(faults, _)| faults).sum();
+    let first = chunks.into_iter().find(|(faults, _)| *faults > 0.0);
+    (faults * 1e6 / count as f64, first.and_then(|(_, mut random)| try_one(&mut random)))
 }
 
-/// The same for every chunk whichever thread does it.
+/// A figure of so many inputs in a row, and the generator of random numbers as it was before the input that matters.
+type OfChunk<'a> = dyn Fn(usize, &mut Random) -> (f64, Random) + Sync + 'a;
+
+/// The figures of all inputs, chunk by chunk: the same for every chunk whichever thread does it.
+fn of_chunks(count: usize, seed: u64, of_chunk: &OfChunk) -> Vec<(f64, Random)> {
+    parallel::map(0..count.div_ceil(CHUNK), |chunk| {
+        let size = CHUNK.min(count - chunk * CHUNK);
+        of_chunk(size, &mut generator(seed, chunk))
+    })
+}
+
+/// The generator that starts a chunk.
 fn generator(seed: u64, chunk: usize) -> Random {
     let mut random = Random(seed.wrapping_mul(0x2545_F491_4F6C_DD1D) ^ chunk as u64);
     Random(random.bits())
 }
 
-fn number_or_infinite<T>((error, input): (f64, T)) -> (f64, T) {
-    (if error.is_nan() { f64::INFINITY } else { error }, input)
-}
-
-/// The first of the two, unless the second is worse.
-fn worse<T>(one: (f64, T), other: (f64, T)) -> (f64, T) {
-    if other.0 > one.0 { other } else { one }
+fn number_or_infinite(error: f64) -> f64 {
+    if error.is_nan() { f64::INFINITY } else { error }
 }
 
 /// `10^exponent`, correctly rounded.

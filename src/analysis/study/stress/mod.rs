@@ -29,6 +29,7 @@ pub use case::{Case, Group, Measurement, Subject, Verdict};
 pub use effort::Effort;
 pub use limits::{LIMITS, Limit, Range};
 pub use placed::{ball, hit_error, placed};
+pub use random::Random;
 pub use reference::ulp_f32;
 pub use scene_limits::outside_limits;
 

@@ -3,6 +3,7 @@
 use crate::math::DVec3;
 
 /// SplitMix64 (Steele, Lea, Flood: Fast Splittable Pseudorandom Number Generators, OOPSLA 2014).
+#[derive(Debug, Clone)]
 pub struct Random(pub u64);
 
 impl Random {
