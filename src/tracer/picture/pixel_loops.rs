@@ -30,7 +30,7 @@ impl PixelLoops for Optimised {
         let colours = &mut colours[stretch.start..];
         match stretch.kind {
             SampleKind::Half => store(stretch, colours, |bytes| f16::from_ne_bytes(bytes).to_f32()),
-            SampleKind::Float => store(stretch, colours, |bytes| f32::from_ne_bytes(bytes)),
+            SampleKind::Float => store(stretch, colours, f32::from_ne_bytes),
             SampleKind::Unsigned => store(stretch, colours, |bytes| u32::from_ne_bytes(bytes) as f32),
         }
     }
