@@ -15,7 +15,7 @@ use super::progress_bar::RenderBar;
 use crate::envmap::{Face, Lookup};
 use crate::error::{Error, Result};
 use crate::math::DVec3;
-use crate::picture::{self, OutputFormat, Raster};
+use crate::picture::{self, OutputFormat, Raster, make_folder};
 use crate::render::bake_face;
 use crate::scene::{Plan, Scene};
 
@@ -71,8 +71,7 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     for (target, bytes) in targets.iter().zip(encoded) {
         files.push((target.as_path(), bytes?));
     }
-    std::fs::create_dir_all(&arguments.output)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(&arguments.output))?;
+    make_folder(&arguments.output)?;
     picture::write_together(files.iter().map(|(target, bytes)| (*target, bytes.as_slice())))?;
     targets.iter().for_each(|target| super::print(format_args!("wrote {}\n", target.display())));
     super::print(format_args!(

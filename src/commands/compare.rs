@@ -5,9 +5,9 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::Outcome;
-use super::options::refuse_to_overwrite_sources;
+use super::options::{check_drawing_name, refuse_to_overwrite_sources};
 use crate::error::{Error, Result};
-use crate::picture::{OutputFormat, check_target, read};
+use crate::picture::{check_target, read};
 use crate::report::{CompareReport, Metric, draw_comparison};
 use crate::study::comparison::{Comparison, Verdict};
 
@@ -62,9 +62,7 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
 /// An error if the drawing cannot be written, before anything is computed.
 fn check_output(arguments: &CompareArguments) -> Result<()> {
     let Some(output) = &arguments.output else { return Ok(()) };
-    if OutputFormat::of_path(output)? != OutputFormat::Png {
-        return Err(Error::new("a drawing is written as PNG").in_file(output).expected("a name with .png"));
-    }
+    check_drawing_name(output)?;
     refuse_to_overwrite_sources(output, &[arguments.mine.clone(), arguments.expected.clone()])?;
     check_target(output)
 }

@@ -12,8 +12,8 @@ use super::options::{
     PictureSize, SettingOverrides, check_pixel_count, parse_duration, refuse_folder_of, refuse_to_overwrite_sources,
 };
 use super::progress_bar::RenderBar;
-use crate::error::{Error, Result};
-use crate::picture::{check_target, write_atomically};
+use crate::error::Result;
+use crate::picture::{check_folder_target, check_target, make_folder, write_atomically};
 use crate::render::Progress;
 use crate::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
 use crate::scene::Scene;
@@ -91,7 +91,6 @@ pub fn run(arguments: &ConvergeArguments) -> Result<Outcome> {
     refuse(&folder, &scenes)?;
     interrupt::watch();
     let pool = arguments.overrides.thread_pool()?;
-    make_folder(&folder)?;
     let cache = folder.join("references");
     let protocol = protocol(arguments, &cache);
     let mut report = ConvergeReport { scenes: Vec::new(), stopped: false };
@@ -173,21 +172,18 @@ fn refuse(folder: &Path, scenes: &[Subject]) -> Result<()> {
             refuse_to_overwrite_sources(&folder.join(name), &subject.scene.sources)?;
         }
     }
+    check_folder_target(folder)?;
     if folder.is_dir() {
         FILES.iter().try_for_each(|name| check_target(&folder.join(name)))?;
     }
     Ok(())
 }
 
-fn make_folder(folder: &Path) -> Result<()> {
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))
-}
-
 /// All four are there before the first is written.
 fn write(report: &ConvergeReport, measure: Measure, folder: &Path) -> Result<()> {
     let (csv, json) = (converge_csv(report), report.to_json() + "\n");
     let (picture, svg) = (draw_convergence(report, measure)?, draw_convergence_svg(report, measure)?);
+    make_folder(folder)?;
     for (name, text) in [(FILES[0], csv), (FILES[1], json), (FILES[3], svg)] {
         write_atomically(&folder.join(name), text.as_bytes())?;
     }

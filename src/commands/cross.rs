@@ -6,11 +6,11 @@ use clap::Args;
 
 use super::Outcome;
 use super::map_options::{OpenMap, ViewOptions};
-use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
+use super::options::{check_drawing_name, refuse_source_folder, refuse_to_overwrite_sources};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
-use crate::error::{Error, Result};
-use crate::picture::{OutputFormat, check_target};
+use crate::error::Result;
+use crate::picture::check_target;
 use crate::report::{CrossInput, Drawing, SeamMark, draw_cross};
 use crate::validate::Seam;
 
@@ -36,9 +36,7 @@ pub struct CrossArguments {
 pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     let map = arguments.view.map.open()?;
     let (world_up, assumption) = arguments.view.world_up();
-    if OutputFormat::of_path(&arguments.output)? != OutputFormat::Png {
-        return Err(Error::new("a drawing is written as PNG").in_file(&arguments.output).expected("a name with .png"));
-    }
+    check_drawing_name(&arguments.output)?;
     refuse_to_overwrite_sources(&arguments.output, &map.sources)?;
     refuse_source_folder(&map.skybox, arguments.output.parent().unwrap_or(Path::new("")))?;
     check_target(&arguments.output)?;

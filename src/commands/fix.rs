@@ -10,7 +10,7 @@ use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
 use crate::envmap::Laying;
 use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
-use crate::picture::write_together;
+use crate::picture::{make_folder, write_together};
 use crate::report::{CodeLanguage, lookup_code};
 use crate::validate::{Check, FaceFix, Verdict};
 
@@ -78,8 +78,7 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
         refuse_to_overwrite_sources(&file.target, &skybox.files())?;
         refuse_rivals(folder, &file.target)?;
     }
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
+    make_folder(folder)?;
     write_together(files.iter().map(|file| (file.target.as_path(), file.bytes.as_slice())))?;
     for file in &files {
         super::print(format_args!("wrote {}: {}\n", file.target.display(), file.what));

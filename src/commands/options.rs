@@ -183,11 +183,21 @@ pub fn refuse_to_overwrite_sources(target: &Path, sources: &[PathBuf]) -> Result
 
 /// An error if files written to the folder would lie among the pictures of the map, and make them ambiguous.
 pub fn refuse_source_folder(skybox: &Skybox, folder: &Path) -> Result<()> {
-    if skybox.layout != Layout::SixFiles {
+    let files = skybox.files();
+    // Beside an archive or a single picture nothing becomes ambiguous.
+    if skybox.layout != Layout::SixFiles || files.len() == 1 {
         return Ok(());
     }
     let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    refuse_folder_of(folder, &skybox.files())
+    refuse_folder_of(folder, &files)
+}
+
+/// An error if a drawing shall be written in another format than PNG.
+pub fn check_drawing_name(path: &Path) -> Result<()> {
+    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+        return Ok(());
+    }
+    Err(Error::new("a drawing is written as PNG").in_file(path).expected("a name with .png"))
 }
 
 /// The most pixels a picture may have: what is computed is held in memory as floats.
@@ -208,7 +218,7 @@ pub fn refuse_folder_of(folder: &Path, sources: &[PathBuf]) -> Result<()> {
     if sources.iter().any(inside) {
         return Err(Error::new("files that are read lie in this folder: it is not written to")
             .in_file(folder)
-            .help("choose another folder with -o"));
+            .help("choose a place in another folder with -o"));
     }
     Ok(())
 }

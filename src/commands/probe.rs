@@ -45,7 +45,7 @@ pub fn run(arguments: &ProbeArguments) -> Result<Outcome> {
     super::print(format_args!("{before}"));
     match after {
         Some(after) => super::print(format_args!("\n{after}")),
-        None => super::print(format_args!("\nnothing to fix: the same again\n")),
+        None => super::print(format_args!("\nthe map fits under this lookup: nothing to fix\n")),
     }
     Ok(Outcome::Clean)
 }

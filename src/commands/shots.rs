@@ -12,7 +12,7 @@ use super::progress_bar::RenderBar;
 use crate::colour::ToneMap;
 use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis};
 use crate::error::{Error, Result};
-use crate::picture::{self, Raster, WriteOptions, check_target};
+use crate::picture::{self, Raster, WriteOptions, check_target, make_folder};
 use crate::render::{AxisShot, render};
 use crate::report::{CaptionedShot, Drawing, ShotsReport, draw_contact_sheet};
 use crate::scene::Plan;
@@ -200,8 +200,7 @@ fn contact_sheet(set: &ShotSet, map: &str, tone_map: ToneMap) -> Drawing {
 /// Writes all files: every picture is there before the first is written.
 fn write(arguments: &ShotsArguments, sets: &[ShotSet], sheet: &Drawing, sheet_file: &Path) -> Result<()> {
     for ShotSet { folder, targets, .. } in sets {
-        std::fs::create_dir_all(folder)
-            .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
+        make_folder(folder)?;
         targets.iter().try_for_each(|target| check_target(target))?;
     }
     let options = WriteOptions { tone_map: arguments.tone_map, ..WriteOptions::default() };

@@ -60,7 +60,7 @@ fn check(arguments: &TraceArguments, scene: &Scene) -> Result<()> {
     if arguments.sample >= scene.samples {
         return Err(Error::new(format!("there is no sample {}", arguments.sample))
             .at_key("--sample")
-            .expected(format!("at most {}: a pixel has {} samples", scene.samples - 1, scene.samples)));
+            .expected(format!("at most {}: the samples of a pixel count from 0", scene.samples - 1)));
     }
     Ok(())
 }

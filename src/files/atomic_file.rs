@@ -50,6 +50,13 @@ pub fn check_folder_target(folder: &Path) -> Result<()> {
     }
 }
 
+/// Makes a folder and those it lies in, unless it is there.
+pub fn make_folder(folder: &Path) -> Result<()> {
+    check_folder_target(folder)?;
+    std::fs::create_dir_all(folder)
+        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))
+}
+
 fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,

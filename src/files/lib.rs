@@ -12,4 +12,6 @@ pub mod archive;
 pub mod document;
 pub mod picture;
 
-pub use atomic_file::{check_folder_target, check_target, write_atomically, write_if_absent, write_together};
+pub use atomic_file::{
+    check_folder_target, check_target, make_folder, write_atomically, write_if_absent, write_together,
+};

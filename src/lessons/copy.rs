@@ -1,36 +1,50 @@
 //! A lesson into a student's folder.
 
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 use super::Lesson;
 use crate::error::{Error, Result};
-use crate::picture::write_if_absent;
+use crate::picture::{make_folder, write_if_absent};
 
 /// Copies the files of a lesson to a folder, which is made if missing, and gives their new places. Nothing is overwritten: if
-/// one file is there already, an error names it and nothing is copied.
+/// another file has one of the names already, an error names it and nothing is copied. What a start that was stopped has
+/// copied is kept.
 pub fn start(lesson: &Lesson, folder: &Path) -> Result<Vec<PathBuf>> {
-    let pairs: Vec<(PathBuf, PathBuf)> =
-        lesson.files.iter().map(|file| (lesson.folder.join(file), folder.join(file))).collect();
-    for (source, target) in &pairs {
-        if target.symlink_metadata().is_ok() {
-            return Err(occupied(target));
-        }
-        if !source.is_file() {
-            return Err(Error::new("the lesson names this file, and it is not there").in_file(source));
-        }
+    let copies: Vec<Copy> = lesson.files.iter().map(|file| Copy::read(lesson, file, folder)).collect::<Result<_>>()?;
+    if let Some(copy) = copies.iter().find(|copy| copy.target.symlink_metadata().is_ok() && !copy.is_made()) {
+        return Err(occupied(&copy.target));
     }
-    pairs.iter().try_for_each(|(source, target)| copy(source, target))?;
-    Ok(pairs.into_iter().map(|(_, target)| target).collect())
+    copies.iter().filter(|copy| !copy.is_made()).try_for_each(Copy::make)?;
+    Ok(copies.into_iter().map(|copy| copy.target).collect())
 }
 
-/// Copies one file, whole or not at all.
-fn copy(source: &Path, target: &Path) -> Result<()> {
-    let folder = target.parent().unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
-    let content =
-        std::fs::read(source).map_err(|error| Error::new(format!("cannot read the file: {error}")).in_file(source))?;
-    if write_if_absent(target, &content)? { Ok(()) } else { Err(occupied(target)) }
+/// A file of a lesson and where it goes.
+struct Copy {
+    content: Vec<u8>,
+    target: PathBuf,
+}
+
+impl Copy {
+    fn read(lesson: &Lesson, file: &Path, folder: &Path) -> Result<Self> {
+        let source = lesson.folder.join(file);
+        let content = std::fs::read(&source).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => Error::new("the lesson names this file, and it is not there").in_file(&source),
+            _ => Error::new(format!("cannot read the file: {error}")).in_file(&source),
+        })?;
+        Ok(Self { content, target: folder.join(file) })
+    }
+
+    /// True if the target holds this very content.
+    fn is_made(&self) -> bool {
+        std::fs::read(&self.target).is_ok_and(|found| found == self.content)
+    }
+
+    /// Writes the file, whole or not at all.
+    fn make(&self) -> Result<()> {
+        make_folder(self.target.parent().unwrap_or(Path::new(".")))?;
+        if write_if_absent(&self.target, &self.content)? { Ok(()) } else { Err(occupied(&self.target)) }
+    }
 }
 
 fn occupied(target: &Path) -> Error {

@@ -168,7 +168,7 @@ impl fmt::Display for ProbeReport<'_> {
         writeln!(formatter, "components      x = {x}, y = {y}, z = {z}")?;
         writeln!(formatter, "largest         {}", self.largest())?;
         let axis = AXES[probe.point.face.axis()];
-        writeln!(formatter, "1/|d|           1/|{axis}| = {}", number(1.0 / probe.largest))?;
+        writeln!(formatter, "tmp             1/|{axis}| = {}", number(1.0 / probe.largest))?;
         writeln!(formatter, "u along {}      {}", probe.row.u, self.coordinate(probe.row.u, probe.point.u))?;
         writeln!(formatter, "v along {}      {}", probe.row.v, self.coordinate(probe.row.v, probe.point.v))?;
         let [width, height] = probe.size;

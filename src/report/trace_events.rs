@@ -7,7 +7,7 @@ use crate::materials::Material;
 use crate::math::functions::arccos;
 use crate::math::{DVec3, Ray, Side, Vec3};
 use crate::scene::Scene;
-use crate::shapes::{Geometry, Surface};
+use crate::shapes::{Geometry, Outline, Surface};
 
 /// `(0.1, 0.2, 0.3)`, each the shortest digits that give the same `f32`.
 pub(super) fn colour(colour: Vec3) -> String {
@@ -17,7 +17,8 @@ pub(super) fn colour(colour: Vec3) -> String {
 
 /// A place or direction, to six digits.
 pub(super) fn vector(vector: DVec3) -> String {
-    let DVec3 { x, y, z } = vector;
+    // Adding 0 takes the sign of -0 away.
+    let DVec3 { x, y, z } = vector + DVec3::ZERO;
     format!("({x:.6}, {y:.6}, {z:.6})")
 }
 
@@ -44,8 +45,10 @@ pub(super) fn shape_name(scene: &Scene, shape: u32) -> String {
 pub(super) fn geometry_name(scene: &Scene, shape: u32) -> &'static str {
     match scene.shapes.primitives().get(shape as usize).map(|primitive| &primitive.geometry) {
         Some(Geometry::Sphere) => "sphere",
-        Some(Geometry::Flat(_)) => "flat",
-        Some(Geometry::Cuboid) => "cuboid",
+        Some(Geometry::Flat(Outline::Plane)) => "plane",
+        Some(Geometry::Flat(Outline::Disc)) => "disc",
+        Some(Geometry::Flat(Outline::Rectangle)) => "rectangle",
+        Some(Geometry::Cuboid) => "box",
         Some(Geometry::Mesh(_)) => "mesh",
         None => "nothing",
     }
@@ -122,6 +125,7 @@ pub(super) fn hit(
     cosine: f64,
 ) -> [String; 2] {
     let side = if side == Side::Front { "from outside" } else { "from inside" };
+    let turned = if normal == surface.shading_normal { "" } else { ", turned towards the ray" };
     [
         format!(
             "hits {}, material {}, {side}, at {}, distance {distance:.6}",
@@ -129,7 +133,7 @@ pub(super) fn hit(
             material_name(scene, surface.material),
             vector(surface.position)
         ),
-        format!("normal {}, angle {:.2}°", vector(normal), degrees(cosine)),
+        format!("normal {}{turned}, angle {:.2}°", vector(surface.shading_normal), degrees(cosine)),
     ]
 }
 

@@ -23,7 +23,9 @@ pub use skycube_files::picture::{
     EnvironmentLayout, Format, Header, OutputFormat, PngDepth, PngSamples as Samples, encode_png, exr_environment,
     write_png,
 };
-pub use skycube_files::{check_folder_target, check_target, write_atomically, write_if_absent, write_together};
+pub use skycube_files::{
+    check_folder_target, check_target, make_folder, write_atomically, write_if_absent, write_together,
+};
 
 #[cfg(test)]
 mod tests;

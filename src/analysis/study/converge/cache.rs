@@ -43,8 +43,7 @@ pub(super) fn read(folder: &Path, key: &str, size: [usize; 2]) -> Option<[Raster
 
 /// Writes the halves, and their mean for those who want to look at it.
 pub(super) fn write(folder: &Path, reference: &Reference) -> Result<()> {
-    std::fs::create_dir_all(folder)
-        .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))?;
+    picture::make_folder(folder)?;
     let facts = &reference.facts;
     let remark =
         format!("{} samples a pixel, standard error {:.3e} (root mean square)", facts.samples, facts.errors.rmse);
