@@ -4,6 +4,7 @@
 //! otherwise: a loop over pixels that has to be fast belongs to the tracer.
 
 pub mod error;
+pub mod memory;
 
 mod atomic_file;
 mod text_file;

@@ -2,9 +2,8 @@
 //!
 //! Read the modules in this order; none knows those below it.
 
-pub use skycube_files::error;
+pub use skycube_files::{error, memory};
 
-pub mod memory;
 pub mod parallel;
 
 pub mod math;

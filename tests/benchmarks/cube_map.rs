@@ -12,6 +12,7 @@ use std::time::Duration;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use skycube::envmap::{CubeFilter, CubeMap, LazyImage, Preset};
 use skycube::math::Vec3;
+use skycube::memory::zeros_on_large_pages;
 use skycube::picture::{Format, Header, Picture, Texels, decode};
 use skycube::study::stress::Random;
 
@@ -20,7 +21,9 @@ const LOOKUPS: usize = 1 << 20;
 
 fn cube_map(filter: CubeFilter) -> CubeMap {
     let images = std::array::from_fn(|image| {
-        let bytes = (0..SIZE * SIZE * 3).map(|index| (index * (image + 7)) as u8).collect();
+        // As decoded pictures are.
+        let mut bytes = zeros_on_large_pages(SIZE * SIZE * 3);
+        bytes.iter_mut().enumerate().for_each(|(index, byte)| *byte = (index * (image + 7)) as u8);
         let header = Header { width: SIZE, height: SIZE, format: Format::Png, bit_depth: 8, alpha: false };
         LazyImage::ready(Picture::new(header, Texels::Srgb8(bytes)))
     });

@@ -2,11 +2,14 @@
 
 use std::io::Cursor;
 
-use image::{DynamicImage, ExtendedColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, Limits};
+use image::{
+    ColorType, DynamicImage, ExtendedColorType, ImageDecoder, ImageError, ImageFormat, ImageReader, ImageResult, Limits,
+};
 
 use super::header::{MEMORY_LIMIT, check_size, damaged};
 use super::{Decoded, Format, Header, PixelLoops, Samples, jpeg_extent};
 use crate::error::Result;
+use crate::memory::zeros_on_large_pages;
 
 /// Decodes a picture of the given format, which is not OpenEXR.
 pub fn decode(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<Decoded> {
@@ -15,8 +18,11 @@ pub fn decode(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<
     }
     let decoder = open(encoded, format, loops)?;
     let header = header_of(&decoder, encoded, format)?;
-    let image = DynamicImage::from_decoder(decoder).map_err(|error| explain(format, &error))?;
-    Ok(Decoded { header, samples: samples_of(image) })
+    let samples = match decoder.color_type() {
+        ColorType::Rgb8 => read_bytes(decoder),
+        _ => DynamicImage::from_decoder(decoder).map(samples_of),
+    };
+    Ok(Decoded { header, samples: samples.map_err(|error| explain(format, &error))? })
 }
 
 /// The header of a picture of the given format, which is not OpenEXR.
@@ -79,6 +85,13 @@ fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
             _ => (colour.bits_per_pixel() / u16::from(colour.channel_count().max(1))) as u8,
         },
     }
+}
+
+/// Three bytes a pixel, in memory for reading at random places.
+fn read_bytes(decoder: Box<dyn ImageDecoder + '_>) -> ImageResult<Samples> {
+    let mut bytes = zeros_on_large_pages(decoder.total_bytes() as usize);
+    decoder.read_image_boxed(&mut bytes)?;
+    Ok(Samples::Bytes(3, bytes))
 }
 
 /// The samples of a decoded image as they are.

@@ -9,6 +9,7 @@ use super::{Header, Picture, Texels};
 use crate::colour::decode_srgb16;
 use crate::error::Result;
 use crate::math::Vec3;
+use crate::memory::on_large_pages;
 
 /// Decodes a picture from the bytes of its file. `name` is what errors call it.
 ///
@@ -52,11 +53,13 @@ fn picture(Decoded { header, samples }: Decoded) -> Picture {
 }
 
 fn without_alpha(bytes: &[u8]) -> Vec<u8> {
-    let mut colours = Vec::with_capacity(bytes.len() / 4 * 3);
+    let mut colours = on_large_pages(bytes.len() / 4 * 3);
     bytes.chunks_exact(4).for_each(|texel| colours.extend_from_slice(&texel[..3]));
     colours
 }
 
 fn linear<T>(samples: &[T], channels: usize, colour: impl Fn(&[T]) -> Vec3) -> Texels {
-    Texels::Linear(samples.chunks_exact(channels).map(colour).collect())
+    let mut colours = on_large_pages(samples.len() / channels);
+    colours.extend(samples.chunks_exact(channels).map(colour));
+    Texels::Linear(colours)
 }
