@@ -28,6 +28,15 @@ pub struct Integrator<'a> {
     path: Option<PathTables>,
 }
 
+/// What every integrator works on and with.
+struct Task<'a, O> {
+    scene: &'a Scene,
+    plan: &'a Plan,
+    sampler: &'a mut PixelSampler,
+    counts: &'a mut RayCounts,
+    observer: &'a mut O,
+}
+
 /// What a camera ray meets first.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FirstHit {
@@ -67,16 +76,15 @@ impl<'a> Integrator<'a> {
         counts: &mut RayCounts,
         observer: &mut O,
     ) -> Vec3 {
-        let Self { scene, plan, path } = self;
+        let Self { scene, plan, ref path } = *self;
         counts.camera += 1;
+        observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
+        let task = Task { scene, plan, sampler, counts, observer };
         match plan.integrator {
-            IntegratorKind::Normals => normals::radiance(scene, ray, observer),
-            IntegratorKind::Phong => phong::radiance(scene, plan, ray, counts, observer),
-            IntegratorKind::Whitted => whitted::radiance(scene, plan, ray, media, sampler, counts, observer),
-            IntegratorKind::Path => match path {
-                Some(tables) => path::radiance(scene, plan, tables, ray, media, sampler, counts, observer),
-                None => Vec3::ZERO,
-            },
+            IntegratorKind::Normals => normals::radiance(task, ray),
+            IntegratorKind::Phong => phong::radiance(task, ray),
+            IntegratorKind::Whitted => whitted::radiance(task, ray, media),
+            IntegratorKind::Path => path.as_ref().map_or(Vec3::ZERO, |tables| path::radiance(task, tables, ray, media)),
         }
     }
 

@@ -9,10 +9,10 @@
 //!                 \ refracted, weight 1 - R
 //! ```
 
-use super::RayCounts;
 use super::direct::{View, local_radiance};
 use super::media::{Media, beyond, medium_before};
 use super::observer::{Event, Observer, RayKind};
+use super::{RayCounts, Task};
 use crate::materials::fresnel::{boundary, reflect, refract};
 use crate::materials::{Material, MediumStack};
 use crate::math::{DVec3, Departure, Ray, Side, Vec3};
@@ -21,18 +21,10 @@ use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
 
 /// Radiance along a camera ray.
-pub(super) fn radiance<O: Observer>(
-    scene: &Scene,
-    plan: &Plan,
-    ray: &Ray,
-    media: &MediumStack,
-    sampler: &mut PixelSampler,
-    counts: &mut RayCounts,
-    observer: &mut O,
-) -> Vec3 {
+pub(super) fn radiance<O: Observer>(task: Task<O>, ray: &Ray, media: &MediumStack) -> Vec3 {
+    let Task { scene, plan, sampler, counts, observer } = task;
     let media_of = Media { scene, absorption: plan.absorption };
     let mut tracer = Tracer { scene, plan, media_of, sampler, counts, observer };
-    tracer.observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
     tracer.radiance(&Path { ray: *ray, depth: 0, weight: Vec3::ONE, media })
 }
 

@@ -15,10 +15,10 @@ mod lights;
 mod vertex;
 mod weights;
 
-use super::RayCounts;
 use super::direct::View;
 use super::media::{Media, medium_before};
 use super::observer::{Event, Observer, RayKind};
+use super::{RayCounts, Task};
 use crate::error::Result;
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
@@ -54,17 +54,8 @@ impl PathTables {
 }
 
 /// Radiance along a camera ray.
-#[expect(clippy::too_many_arguments, reason = "once a camera ray; they differ in life")]
-pub(super) fn radiance<O: Observer>(
-    scene: &Scene,
-    plan: &Plan,
-    tables: &PathTables,
-    ray: &Ray,
-    media: &MediumStack,
-    sampler: &mut PixelSampler,
-    counts: &mut RayCounts,
-    observer: &mut O,
-) -> Vec3 {
+pub(super) fn radiance<O: Observer>(task: Task<O>, tables: &PathTables, ray: &Ray, media: &MediumStack) -> Vec3 {
+    let Task { scene, plan, sampler, counts, observer } = task;
     let mut walk = Walk {
         scene,
         plan,
@@ -75,7 +66,6 @@ pub(super) fn radiance<O: Observer>(
         radiance: Vec3::ZERO,
         observer,
     };
-    walk.observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
     let mut path =
         Path { ray: *ray, media: *media, throughput: Vec3::ONE, bounces: 0, arrival: Arrival::Camera, caustics: None };
     while walk.step(&mut path) {}
