@@ -66,7 +66,8 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let started = Instant::now();
     let (rasters, rays) = bake(&scene, &plan, &lookup, size, position, &pool)?;
     let seconds = started.elapsed().as_secs_f64();
-    let encoded = Face::ALL.map(|image| picture::encode(&rasters[image.index()], format, &options));
+    let encode = |image: Face| picture::encode(&rasters[image.index()], format, &options);
+    let encoded = pool.install(|| Face::ALL.map(encode));
     let mut files = Vec::new();
     for (target, bytes) in targets.iter().zip(encoded) {
         files.push((target.as_path(), bytes?));

@@ -56,9 +56,10 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     refuse(arguments, &scene, &output)?;
     outside_limits(&scene).iter().for_each(|figure| super::remark(format_args!("warning: {figure}\n")));
     let loaded = started.elapsed();
-    let rendering = rendering(arguments, &scene, &plan)?;
+    let pool = arguments.overrides.thread_pool()?;
+    let rendering = pool.install(|| rendering(arguments, &scene, &plan))?;
     let rendered = started.elapsed();
-    write(arguments, &scene, &rendering, &output)?;
+    pool.install(|| write(arguments, &scene, &rendering, &output))?;
     let report = RenderReport::new(&scene, &plan, &output, &rendering, [loaded, rendered, started.elapsed()]);
     super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
     Ok(if rendering.stopped { Outcome::Interrupted } else { Outcome::Clean })
@@ -84,11 +85,9 @@ fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<
         Some(limit) => (Budget::Time(limit), RenderBar::until(limit, "rendering")),
         None => (Budget::Samples(scene.samples), RenderBar::new(pixels * u64::from(scene.samples), "rendering")),
     };
-    let rendering = arguments.overrides.thread_pool()?.install(|| {
-        let renderer = if arguments.layers { Renderer::with_layers(scene, plan)? } else { Renderer::new(scene, plan)? };
-        let renderer = if arguments.time.is_some() { renderer.scattered() } else { renderer };
-        render_progressively(renderer, budget, &bar)
-    });
+    let renderer = if arguments.layers { Renderer::with_layers(scene, plan)? } else { Renderer::new(scene, plan)? };
+    let renderer = if arguments.time.is_some() { renderer.scattered() } else { renderer };
+    let rendering = render_progressively(renderer, budget, &bar);
     bar.finish();
     rendering
 }

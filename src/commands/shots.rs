@@ -12,7 +12,7 @@ use super::progress_bar::RenderBar;
 use crate::colour::ToneMap;
 use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis};
 use crate::error::{Error, Result};
-use crate::picture::{self, Raster, WriteOptions, check_target, make_folder};
+use crate::picture::{self, OutputFormat, Raster, WriteOptions, check_target, make_folder, write_together};
 use crate::render::{AxisShot, render};
 use crate::report::{CaptionedShot, Drawing, ShotsReport, draw_contact_sheet};
 use crate::scene::Plan;
@@ -197,17 +197,16 @@ fn contact_sheet(set: &ShotSet, map: &str, tone_map: ToneMap) -> Drawing {
     draw_contact_sheet(&shots, &heading, &set.report.camera(), tone_map)
 }
 
-/// Writes all files: every picture is there before the first is written.
+/// Writes all files or none.
 fn write(arguments: &ShotsArguments, sets: &[ShotSet], sheet: &Drawing, sheet_file: &Path) -> Result<()> {
     for ShotSet { folder, targets, .. } in sets {
         make_folder(folder)?;
         targets.iter().try_for_each(|target| check_target(target))?;
     }
     let options = WriteOptions { tone_map: arguments.tone_map, ..WriteOptions::default() };
-    for ShotSet { targets, rasters, .. } in sets {
-        for (target, raster) in targets.iter().zip(rasters) {
-            picture::write(raster, target, &options)?;
-        }
+    let mut files = vec![(sheet_file, sheet.encode()?)];
+    for (target, raster) in sets.iter().flat_map(|set| set.targets.iter().zip(&set.rasters)) {
+        files.push((target, picture::encode(raster, OutputFormat::of_path(target)?, &options)?));
     }
-    sheet.write(sheet_file)
+    write_together(files.iter().map(|(target, bytes)| (*target, bytes.as_slice())))
 }

@@ -6,7 +6,7 @@ use tiny_skia::{Color, Pixmap};
 
 use super::canvas::{Canvas, blank};
 use crate::error::Result;
-use crate::picture::{Samples, without_opacity, write_png};
+use crate::picture::{Samples, encode_png, without_opacity, write_png};
 
 /// A finished drawing: opaque, sRGB-encoded.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,6 +31,11 @@ impl Drawing {
     /// Writes a PNG file.
     pub fn write(&self, path: &Path) -> Result<()> {
         write_png(path, self.width(), self.height(), Samples::Rgb8(&self.bytes()))
+    }
+
+    /// The bytes of a PNG file of the drawing.
+    pub fn encode(&self) -> Result<Vec<u8>> {
+        encode_png(self.width(), self.height(), Samples::Rgb8(&self.bytes()))
     }
 
     /// Two drawings beside each other: before and after.
