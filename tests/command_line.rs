@@ -1,17 +1,13 @@
 //! The program as its user runs it: exit codes, messages, files.
 
+mod common;
+
 use std::path::Path;
 use std::process::{Command, Output};
 
+use common::{skycube, text};
+
 const LESSON: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/environment-with.toml");
-
-fn skycube(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
 
 /// The file names in a folder, sorted.
 fn files(folder: &Path) -> Vec<String> {

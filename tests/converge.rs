@@ -1,10 +1,13 @@
 //! The instrument against known laws of error, and the command as its user runs it.
 
+mod common;
+
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Output;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
+use common::{skycube, text};
 use serde_json::Value;
 use skycube::render::Progress;
 use skycube::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
@@ -246,14 +249,6 @@ fn usual_comparisons_follow_the_scene() {
     assert_eq!(labels(Comparison::Depths), ["depth=1", "depth=2", "depth=4", "depth=6"]);
     assert_eq!(labels(Comparison::Integrators), ["integrator=phong", "integrator=whitted", "integrator=path"]);
     assert_eq!(labels(Comparison::Strategies), ["strategy=bsdf", "strategy=light", "strategy=mis"]);
-}
-
-fn skycube(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
 }
 
 fn report_of(output: &Output) -> Value {

@@ -1,8 +1,8 @@
 //! Lessons as a student meets them: listed, shown, copied, never overwritten.
 
-use std::path::Path;
-use std::process::Command;
+mod common;
 
+use common::outcome as skycube;
 use skycube::lessons::{default_folder, read_all};
 
 const LESSON: &str = r#"
@@ -13,11 +13,6 @@ needs = { en = "Lesson 02.", cs = "Lekce 02." }
 files = ["README.md", "maps/posx.txt"]
 commands = ["skycube render a.toml"]
 "#;
-
-fn skycube(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap();
-    (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
-}
 
 /// A folder with one lesson in `lessons`.
 fn folder(lesson: &str) -> tempfile::TempDir {

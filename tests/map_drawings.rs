@@ -1,8 +1,11 @@
 //! The commands that look at a map: cross, shots, probe.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
 
+use std::path::{Path, PathBuf};
+use std::process::Output;
+
+use common::skycube;
 use skycube::envmap::source::Skybox;
 use skycube::envmap::{CubeFilter, CubeMap, Face, Preset, Probe};
 use skycube::math::Vec3;
@@ -10,11 +13,6 @@ use skycube::picture::{Picture, read};
 
 fn compass() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass")
-}
-
-fn skycube(folder: &Path, arguments: &[&str]) -> Output {
-    let command = Command::new(env!("CARGO_BIN_EXE_skycube")).current_dir(folder).args(arguments).output();
-    command.unwrap()
 }
 
 fn stdout(output: &Output) -> String {

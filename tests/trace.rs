@@ -1,8 +1,10 @@
 //! A traced pixel is the pixel that `render` writes, bit for bit, and what the trace tells adds up to it.
 
-use std::path::Path;
-use std::process::Command;
+mod common;
 
+use std::path::Path;
+
+use common::outcome as skycube;
 use skycube::integrators::{Event, LightOutcome};
 use skycube::math::Vec3;
 use skycube::render::{Silent, render};
@@ -94,11 +96,6 @@ fn what_the_trace_tells_adds_up() {
         println!("{kind:?}: {branches} branches followed");
         assert!(kind != IntegratorKind::Whitted || branches > 50);
     }
-}
-
-fn skycube(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap();
-    (output.status.code(), String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap())
 }
 
 #[test]

@@ -1,6 +1,29 @@
 //! What the integration tests and benchmarks share.
+#![allow(dead_code)] // Every test uses a part of it.
 
 use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+/// A file or folder of the project.
+pub fn project(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// What the program does with these arguments in a folder.
+pub fn skycube(folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap()
+}
+
+/// The same as exit code, standard output and standard error.
+pub fn outcome(folder: &Path, arguments: &[&str]) -> (Option<i32>, String, String) {
+    let output = skycube(folder, arguments);
+    (output.status.code(), text(&output.stdout), text(&output.stderr))
+}
+
+/// What the program wrote.
+pub fn text(bytes: &[u8]) -> String {
+    String::from_utf8(bytes.to_vec()).unwrap()
+}
 
 /// A file or folder among the real environment maps, which are not part of this repository. They are looked for in the
 /// folder that `SKYCUBE_SHARED_MAPS` names, or in `../shared/envmaps` beside the repository. Where it is missing, says

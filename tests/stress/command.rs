@@ -1,14 +1,6 @@
 //! The command, and the warnings of `skycube render`.
 
-use std::process::{Command, Output};
-
-fn skycube(folder: &std::path::Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8(bytes.to_vec()).unwrap()
-}
+use crate::common::{skycube, text};
 
 #[test]
 fn one_case_is_told_step_by_step() {

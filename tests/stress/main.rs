@@ -1,5 +1,7 @@
 //! The limits of accuracy: what `skycube stress` measures, with fewer rays, and the same properties on random inputs.
 
+#[path = "../common/mod.rs"]
+mod common;
 #[path = "../support/icosphere.rs"]
 mod icosphere;
 
