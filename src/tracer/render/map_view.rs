@@ -2,7 +2,6 @@
 
 use super::AxisShot;
 use crate::envmap::{CubeMap, SignedAxis};
-use crate::math::Vec3;
 use crate::picture::Raster;
 
 impl AxisShot {
@@ -14,14 +13,11 @@ impl AxisShot {
         let samples = texels.div_ceil(size).clamp(1, 4);
         let count = (size * samples) as f32;
         let [forward, up, right] = [self.direction.signed_axis(), self.up, self.right()].map(SignedAxis::direction);
-        let colour = |x: usize, y: usize| {
+        let seen = Raster::from_function(size * samples, size * samples, |x, y| {
             let across = (2 * x + 1) as f32 / count - 1.0;
             let down = (2 * y + 1) as f32 / count - 1.0;
             map.sample(forward + right * across - up * down)
-        };
-        Raster::from_function(size, size, |x, y| {
-            let sample = |index: usize| colour(x * samples + index % samples, y * samples + index / samples);
-            (0..samples * samples).map(sample).sum::<Vec3>() / (samples * samples) as f32
-        })
+        });
+        seen.reduced(samples)
     }
 }

@@ -8,6 +8,7 @@ use crate::envmap::{CubeFilter, CubeMap, Face, Lookup};
 use crate::error::Result;
 use crate::math::DVec3;
 use crate::parallel;
+
 /// Most cells along the side of a face. Larger pictures have several texels in a cell: cells half inside a sun make its
 /// rim noisy. The relative variance of luminance / density for faces of 2048 texels and a sun of 0.5 degrees that gives
 /// half of all light is 0.45, 0.14 and 0.05 with 512, 1024 and 2048 cells; the tables take 9, 38 and 151 MB.
