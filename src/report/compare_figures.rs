@@ -26,6 +26,13 @@ pub(super) fn figures(finding: &Finding) -> Value {
         Finding::Scaled { factor, correlation } => {
             json!({ "factor": rounded(*factor, 3), "correlation": rounded(*correlation, 3) })
         }
+        Finding::Stretched { horizontally, factor, aspect, correlation } => json!({
+            "horizontally": horizontally, "factor": rounded(*factor, 3), "aspect": rounded(*aspect, 3),
+            "correlation": rounded(*correlation, 3)
+        }),
+        Finding::Recoloured { outlines, inverted } => {
+            json!({ "outlines": rounded(*outlines, 3), "inverted": rounded(*inverted, 3) })
+        }
         Finding::Partial { part } => partial(part),
         Finding::Unrelated { correlation } => json!({ "correlation": rounded(*correlation, 3) }),
         Finding::Laid { operation, evidence } => with(json!({ "operation": operation.name() }), evidence),
