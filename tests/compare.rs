@@ -97,6 +97,10 @@ fn names(comparison: &Comparison) -> Vec<String> {
             Finding::Flat { .. } => "flat".to_owned(),
             Finding::ExpectedEven { .. } => "expected even".to_owned(),
             Finding::Scaled { .. } => "scaled".to_owned(),
+            Finding::Stretched { horizontally, factor, .. } => {
+                format!("stretched {} {factor:.2}", if *horizontally { "across" } else { "down" })
+            }
+            Finding::Recoloured { .. } => "recoloured".to_owned(),
             Finding::Partial { .. } => "partial".to_owned(),
             Finding::Unrelated { .. } => "unrelated".to_owned(),
             Finding::Laid { operation, .. } => operation.name().to_owned(),
@@ -275,6 +279,34 @@ fn reports() {
     let comparison = Comparison::of(&file_of(&expected), &file_of(&expected));
     let report = CompareReport { comparison: &comparison, metric: Metric::Psnr, threshold: 28.0 };
     insta::assert_snapshot!("identical_text", report.to_string());
+}
+
+#[test]
+fn nothing_is_left_where_nothing_was_undone() {
+    let report = |mine: &Raster, expected: &Raster| {
+        let comparison = Comparison::of(&file_of(mine), &file_of(expected));
+        CompareReport { comparison: &comparison, metric: Metric::Flip, threshold: 0.05 }.to_string()
+    };
+    let expected = subject("lesson", [0, 0]);
+    let noise = report(&noisy(&expected, 0.1), &expected);
+    assert!(noise.contains("- The difference has no structure") && !noise.contains("hat is left"), "{noise}");
+    let undone = report(&noisy(&flipped(&expected), 0.1), &expected);
+    assert!(undone.contains("- What is left has no structure"), "{undone}");
+    // All of the picture is no place in it.
+    let tone = |light: f32| Raster::filled(64, 48, Vec3::splat(light));
+    let all = report(&tone(0.0), &tone(1.0));
+    assert!(all.contains("the difference is all over the picture") && !all.contains("elsewhere"), "{all}");
+}
+
+#[test]
+fn one_broken_pixel_is_counted_as_one() {
+    let mut mine = subject("lesson", [0, 0]);
+    mine.set(7, 5, Vec3::splat(f32::NAN));
+    let header = Header { format: Format::Exr, bit_depth: 32, ..file_of(&mine).header() };
+    let mine = Picture::new(header, Texels::Linear(mine.pixels().to_vec()));
+    let comparison = Comparison::of(&mine, &file_of(&subject("lesson", [0, 0])));
+    let text = CompareReport { comparison: &comparison, metric: Metric::Flip, threshold: 0.05 }.to_string();
+    assert!(text.contains("1 of your pixels is not a finite number (column 7, row 5)"), "{text}");
 }
 
 fn skycube(folder: &Path, arguments: &[&str]) -> Output {

@@ -2,6 +2,8 @@
 //! by hand. Whatever is wrong with them must be named, or called undecided; never something else.
 
 mod common;
+#[path = "grade/readings.rs"]
+mod readings;
 
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -205,8 +207,13 @@ impl Student {
 
 /// A map of the repository or of the shared folder; 8-bit codes of its files.
 fn photographs(path: &Path) -> Photographs {
+    judged_by(path, Preset::Course)
+}
+
+/// The same, graded as code that should have another lookup.
+fn judged_by(path: &Path, lookup: Preset) -> Photographs {
     let skybox = Skybox::open(path).unwrap();
-    let map = load(&skybox, Preset::Course.lookup()).unwrap();
+    let map = load(&skybox, lookup.lookup()).unwrap();
     let bytes = Face::ALL.map(|face| match map.picture(face).unwrap().texels() {
         Texels::Srgb8(bytes) => bytes.clone(),
         Texels::Linear(_) => panic!("8 bits are expected"),
@@ -346,7 +353,7 @@ fn a_wrong_camera_is_told_from_a_wrong_lookup() {
             }
             assert_eq!(grade.verdict(), GradeVerdict::Camera, "{} {screen} {grade:?}", photographs.name);
             assert_eq!(grade.camera.laying.formulas(), formulas, "{}", photographs.name);
-            assert!(matches!(grade.alternative, Some(Alternative::Lookup(_))));
+            assert!(matches!(grade.alternatives[..], [Alternative::Lookup(_)]));
             row.check(&student, &photographs, &grade);
         }
         row.print("pictures laid otherwise", &photographs.name);

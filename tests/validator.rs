@@ -10,7 +10,7 @@ use skycube::envmap::source::Skybox;
 use skycube::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset, SignedAxis};
 use skycube::picture::Picture;
 use skycube::report::CheckReport;
-use skycube::validate::{Check, CheckOptions, Convention, ImageFacts, Names, Verdict, check, load};
+use skycube::validate::{Check, CheckOptions, Convention, ImageFacts, Names, Note, Verdict, check, load};
 
 fn options(lookup: Preset, world_up: Option<SignedAxis>) -> CheckOptions {
     CheckOptions { world_up, names: Names::Auto, lookup_name: lookup.name().to_owned() }
@@ -152,6 +152,27 @@ fn faulty(fault: impl Fn(&mut [Picture; 6])) -> Check {
     let mut pictures = skybox.images.clone().map(|image| image.decode().unwrap());
     fault(&mut pictures);
     check_pictures(pictures, Preset::Opengl.lookup(), &options(Preset::Opengl, None))
+}
+
+#[test]
+fn the_report_says_how_seams_are_judged_and_counts_in_good_grammar() {
+    let check = checked(&compass().with_file_name("courtyard"), Preset::Exercise, Some(SignedAxis::POS_Z));
+    let report = CheckReport::new("courtyard".to_owned(), &check).to_string();
+    assert!(report.contains("score = step / max(detail, 0.5)"), "{report}");
+    assert!(report.contains("verdict: not by the score, but by comparing layings"), "{report}");
+    let rough = check.fix.seams_after.iter().filter(|seam| seam.score > 3.0).count();
+    assert_eq!(check.verdict, Verdict::Broken);
+    assert!(rough > 0 && report.contains(&format!("{rough} of 12 seams")), "{report}");
+    assert!(report.contains("rough after the fix"), "{report}");
+    let one = Note::Rough { seams: 1, step: 4.0, after_the_fix: false }.to_string();
+    assert!(one.starts_with("1 of 12 seams is rough (mean step"), "{one}");
+    let mirrored = Note::Mirrored { faces: Vec::new(), after: vec![Face::PosY], changes: true }.to_string();
+    assert!(mirrored.contains("sees no face mirrored now, and posy after the fix"), "{mirrored}");
+    // Where images change places, seams leave open how the cube as a whole is turned and mirrored.
+    let swapped = faulty(|images| images.swap(0, 2));
+    let report = CheckReport::new("swapped".to_owned(), &swapped).to_string();
+    let count = "equally good layings: 48, the simplest of them shown: seams cannot tell them apart";
+    assert!(report.contains(count) && report.contains("turned and mirrored in 48 ways"), "{report}");
 }
 
 #[test]

@@ -26,9 +26,9 @@ pub struct GradeArguments {
     /// The map your tracer read: a folder, a zip, a cross or strip picture, an OpenEXR cube
     #[arg(long, value_name = "MAP")]
     map: PathBuf,
-    /// The lookup that your code should have: a preset or a TOML file
-    #[arg(long, default_value = "course")]
-    lookup: String,
+    /// The lookup that your code should have: a preset or a TOML file [default: course]
+    #[arg(long)]
+    lookup: Option<String>,
     /// The axis that points upwards in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     world_up: Option<SignedAxis>,
@@ -39,8 +39,9 @@ pub struct GradeArguments {
 
 /// Grades and prints.
 pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
-    let lookup = read_lookup(&arguments.lookup)?;
-    let world_up = arguments.world_up.unwrap_or_else(|| usual_up(&arguments.lookup));
+    let lookup_name = arguments.lookup.as_deref().unwrap_or("course");
+    let lookup = read_lookup(lookup_name)?;
+    let world_up = arguments.world_up.unwrap_or_else(|| usual_up(lookup_name));
     let skybox = Skybox::open(&arguments.map)?;
     let shots = read_shots(&arguments.shots)?;
     let map = load(&skybox, lookup)?;
@@ -49,18 +50,21 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
     let grade = Grader::new(&map, frames)?.grade(&shots);
     let name =
         arguments.map.file_name().map_or_else(|| arguments.map.display().to_string(), |n| n.display().to_string());
-    let report =
-        GradeReport { grade: &grade, map: &name, lookup: &arguments.lookup, v_origin: lookup.v_origin(), world_up };
+    let report = GradeReport {
+        grade: &grade,
+        map: &name,
+        lookup: lookup_name,
+        lookup_given: arguments.lookup.is_some(),
+        v_origin: lookup.v_origin(),
+        world_up,
+    };
     super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
     let clean = matches!(grade.verdict(), GradeVerdict::Right | GradeVerdict::Undecided);
     Ok(if clean { Outcome::Clean } else { Outcome::Faults })
 }
 
 fn usual_up(lookup: &str) -> SignedAxis {
-    match Preset::named(lookup) {
-        Some(Preset::Opengl | Preset::HumusYUp) => SignedAxis::POS_Y,
-        _ => SignedAxis::POS_Z,
-    }
+    Preset::named(lookup).map_or(SignedAxis::POS_Z, Preset::usual_up)
 }
 
 /// The six shots in the order of [`Face::ALL`].

@@ -96,10 +96,7 @@ impl ViewOptions {
             return (world_up, None);
         }
         let name = &self.map.lookup;
-        let world_up = match Preset::named(name) {
-            Some(Preset::Opengl | Preset::HumusYUp) => SignedAxis::POS_Y,
-            _ => SignedAxis::POS_Z,
-        };
+        let world_up = Preset::named(name).map_or(SignedAxis::POS_Z, Preset::usual_up);
         (
             world_up,
             Some(format!("assumed a world with {world_up} up, for the lookup {name}: --world-up says otherwise")),

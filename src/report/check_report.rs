@@ -203,6 +203,14 @@ fn rounded(number: f64, decimals: i32) -> f64 {
     (number * scale).round() / scale
 }
 
+/// The ways to turn and mirror a cube.
+const TURNS_OF_A_CUBE: usize = 48;
+
+/// What the columns of the seams are.
+const LEGEND: &str = "  score = step / max(detail, 0.5): mean step across the seam over that from texel to texel inside both faces, of 255
+  verdict: not by the score, but by comparing layings: broken if the best laying continues the two borders decisively
+  better elsewhere, or a face at the seam does not belong; undecidable if they go as well with most other borders";
+
 impl fmt::Display for CheckReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Check { verdict, fix, lookup_name, .. } = self.check;
@@ -228,14 +236,12 @@ impl fmt::Display for CheckReport<'_> {
             }
             writeln!(formatter)?;
         }
+        writeln!(formatter, "{LEGEND}")?;
         writeln!(
             formatter,
-            "  score = mean step across the seam / mean step from texel to texel inside both faces (of 255; at least 0.5)"
-        )?;
-        writeln!(
-            formatter,
-            "\n  margin {:.1}: standard errors by which the next different laying is worse; equally good ones: {}",
-            fix.margin, fix.equivalents
+            "\n  margin {:.1}: standard errors by which the next different laying is worse\n  {}",
+            fix.margin,
+            self.equally_good()
         )?;
         for note in &self.check.notes {
             writeln!(formatter, "  note: {note}")?;
@@ -245,6 +251,27 @@ impl fmt::Display for CheckReport<'_> {
 }
 
 impl CheckReport<'_> {
+    /// How many fixes are as good as the one shown, and why.
+    fn equally_good(&self) -> String {
+        let Check { fix, lookup, foreign, .. } = self.check;
+        if !foreign.is_empty() {
+            return "equally good layings: not counted, since a face does not belong here".to_owned();
+        }
+        if fix.equivalents == 1 {
+            return "equally good layings: 1, the one shown".to_owned();
+        }
+        let renamed = fix.faces.iter().any(|face| face.image != lookup.row(face.face).image);
+        let whole = if renamed && fix.equivalents.is_multiple_of(TURNS_OF_A_CUBE) {
+            "; with images in other places the whole cube can be turned and mirrored in 48 ways"
+        } else {
+            ""
+        };
+        format!(
+            "equally good layings: {}, the simplest of them shown: seams cannot tell them apart{whole}",
+            fix.equivalents
+        )
+    }
+
     fn write_change(&self, fix: &FaceFix, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let check = self.check;
         let file = &check.images[fix.image.index()].file;

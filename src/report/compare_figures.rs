@@ -26,6 +26,8 @@ pub(super) fn figures(finding: &Finding) -> Value {
         Finding::Scaled { factor, correlation } => {
             json!({ "factor": rounded(*factor, 3), "correlation": rounded(*correlation, 3) })
         }
+        Finding::Stretched { .. } => stretched(finding),
+        Finding::Recoloured { outlines, inverted } => recoloured(*outlines, *inverted),
         Finding::Partial { part } => partial(part),
         Finding::Unrelated { correlation } => json!({ "correlation": rounded(*correlation, 3) }),
         Finding::Laid { operation, evidence } => with(json!({ "operation": operation.name() }), evidence),
@@ -38,11 +40,23 @@ pub(super) fn figures(finding: &Finding) -> Value {
         Finding::ClippedHighlights { share } => json!({ "share": rounded(*share, 4) }),
         Finding::Noise { deviation } => json!({ "deviation": rounded(*deviation, 1) }),
         Finding::Region { region } => one_place(region),
-        Finding::Edges { share, area, deviation } => {
-            json!({ "share": rounded(*share, 3), "area": rounded(*area, 3), "deviation": rounded(*deviation, 1) })
-        }
+        Finding::Edges { share, area, deviation } => along_edges(*share, *area, *deviation),
         Finding::Everywhere => json!({}),
     }
+}
+
+fn stretched(finding: &Finding) -> Value {
+    let Finding::Stretched { horizontally, factor, aspect, correlation } = finding else { return json!({}) };
+    let [factor, aspect, correlation] = [factor, aspect, correlation].map(|value| rounded(*value, 3));
+    json!({ "horizontally": horizontally, "factor": factor, "aspect": aspect, "correlation": correlation })
+}
+
+fn recoloured(outlines: f64, inverted: f64) -> Value {
+    json!({ "outlines": rounded(outlines, 3), "inverted": rounded(inverted, 3) })
+}
+
+fn along_edges(share: f64, area: f64, deviation: f64) -> Value {
+    json!({ "share": rounded(share, 3), "area": rounded(area, 3), "deviation": rounded(deviation, 1) })
 }
 
 fn partial(part: &Partial) -> Value {

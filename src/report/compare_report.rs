@@ -103,7 +103,7 @@ impl CompareReport<'_> {
             threshold: self.threshold,
             mine: picture(mine),
             expected: picture(expected),
-            findings: findings.iter().map(described).collect(),
+            findings: findings.iter().map(|finding| described(finding, after.is_some())).collect(),
             metrics: Both {
                 before: measures(&before.metrics),
                 after: after.as_ref().map(|view| measures(&view.metrics)),
@@ -140,7 +140,7 @@ impl fmt::Display for CompareReport<'_> {
             writeln!(formatter)?;
         }
         for finding in findings {
-            writeln!(formatter, "- {}", sentence(finding))?;
+            writeln!(formatter, "- {}", sentence(finding, after.is_some()))?;
         }
         writeln!(formatter, "\n              RMSE     PSNR     SSIM     FLIP")?;
         writeln!(formatter, "as it is   {}", row(&before.metrics))?;
@@ -148,7 +148,8 @@ impl fmt::Display for CompareReport<'_> {
             writeln!(formatter, "undone     {}", row(&after.metrics))?;
         }
         if worst.flip > 0.0 && self.comparison.last_view().metrics.flip > 0.0 {
-            writeln!(formatter, "\n{}", worst_line(worst, after.is_some()))?;
+            let pixels = self.comparison.last_view().mine.pixels().len();
+            writeln!(formatter, "\n{}", worst_line(worst, pixels, after.is_some()))?;
         }
         Ok(())
     }
@@ -164,11 +165,15 @@ fn row(metrics: &Metrics) -> String {
     format!("{:>7.4}  {psnr:>7}  {:>7.4}  {:>7.4}", metrics.rmse, metrics.ssim, metrics.flip)
 }
 
-fn worst_line(worst: &Region, undone: bool) -> String {
+/// Where a picture of so many pixels differs most.
+fn worst_line(worst: &Region, pixels: usize, undone: bool) -> String {
     let Region { x, y, width, height, flip, flip_outside, share } = *worst;
-    let left = if undone { "what is left is largest" } else { "the difference is largest" };
+    let left = if undone { "what is left" } else { "the difference" };
+    if width * height == pixels {
+        return format!("{left} is all over the picture: FLIP {flip:.3} in the mean, and no place stands out");
+    }
     format!(
-        "{left} in columns {x} to {}, rows {y} to {}: FLIP {flip:.3} there, {flip_outside:.3} elsewhere, {:.0} % of all",
+        "{left} is largest in columns {x} to {}, rows {y} to {}: FLIP {flip:.3} there, {flip_outside:.3} elsewhere, {:.0} % of all",
         x + width - 1,
         y + height - 1,
         100.0 * share
@@ -239,8 +244,8 @@ fn picture(header: &Header) -> JsonPicture {
     JsonPicture { width, height, format, bit_depth, alpha }
 }
 
-fn described(finding: &Finding) -> JsonFinding {
-    JsonFinding { kind: kind(finding), sentence: sentence(finding), figures: figures(finding) }
+fn described(finding: &Finding, undone: bool) -> JsonFinding {
+    JsonFinding { kind: kind(finding), sentence: sentence(finding, undone), figures: figures(finding) }
 }
 
 fn region(region: &Region) -> JsonRegion {

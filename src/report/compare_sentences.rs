@@ -12,6 +12,8 @@ pub(super) fn kind(finding: &Finding) -> &'static str {
         Finding::Flat { .. } => "flat",
         Finding::ExpectedEven { .. } => "expected_even",
         Finding::Scaled { .. } => "scaled",
+        Finding::Stretched { .. } => "stretched",
+        Finding::Recoloured { .. } => "recoloured",
         Finding::Partial { .. } => "partial",
         Finding::Unrelated { .. } => "unrelated",
         Finding::Laid { .. } => "laid",
@@ -27,13 +29,11 @@ pub(super) fn kind(finding: &Finding) -> &'static str {
     }
 }
 
-/// What a student reads.
-pub(super) fn sentence(finding: &Finding) -> String {
+/// What a student reads. `undone`: mistakes that were found were undone before the rest was looked at.
+pub(super) fn sentence(finding: &Finding, undone: bool) -> String {
+    let left = if undone { "What is left" } else { "The difference" };
     match finding {
-        Finding::NotFinite { pixels, first: [x, y] } => format!(
-            "{pixels} of your pixels are not finite numbers (the first from the top is column {x}, row {y}): somewhere you \
-             divide by zero or take the root of a negative number. They are compared as black."
-        ),
+        Finding::NotFinite { pixels, first } => not_finite(*pixels, *first),
         Finding::Size { mine, expected, same_proportions } => size(*mine, *expected, *same_proportions),
         Finding::Flat { luma, alpha, deviation } => flat(*luma, *alpha, *deviation),
         Finding::ExpectedEven { mine, expected } => format!(
@@ -41,6 +41,10 @@ pub(super) fn sentence(finding: &Finding) -> String {
              {expected:.1}."
         ),
         Finding::Scaled { factor, correlation } => scaled(*factor, *correlation),
+        Finding::Stretched { horizontally, factor, aspect, correlation } => {
+            stretched(*horizontally, *factor, *aspect, *correlation)
+        }
+        Finding::Recoloured { outlines, inverted } => recoloured(*outlines, *inverted),
         Finding::Partial { part } => partial(part),
         Finding::Unrelated { .. } => SOMETHING_ELSE.to_owned(),
         Finding::Laid { operation, evidence } => format!("{} ({}).", laid(*operation), explained(evidence)),
@@ -58,11 +62,11 @@ pub(super) fn sentence(finding: &Finding) -> String {
             100.0 * share
         ),
         Finding::Noise { deviation } => format!(
-            "What is left has no structure, it is noise (standard deviation {deviation:.1} of 255): more samples a pixel \
+            "{left} has no structure, it is noise (standard deviation {deviation:.1} of 255): more samples a pixel \
              make it smaller, unless it is the expected picture's noise."
         ),
         Finding::Region { region } => one_place(region),
-        Finding::Edges { share, area, .. } => along_edges(*share, *area),
+        Finding::Edges { share, area, .. } => along_edges(left, *share, *area),
         Finding::Everywhere => MANY_PLACES.to_owned(),
     }
 }
@@ -74,10 +78,21 @@ const SOMETHING_ELSE: &str = "Your picture shows something else: nothing in it s
 const MANY_PLACES: &str = "The same things are to be seen, but they differ in many places, and no flip, shift, gamma or \
                            exposure explains it.";
 
-fn along_edges(share: f64, area: f64) -> String {
+fn not_finite(pixels: usize, [x, y]: [usize; 2]) -> String {
+    let (are, they) = match pixels {
+        1 => (format!("1 of your pixels is not a finite number (column {x}, row {y})"), "It is"),
+        _ => {
+            let first = format!("the first from the top is column {x}, row {y}");
+            (format!("{pixels} of your pixels are not finite numbers ({first})"), "They are")
+        }
+    };
+    format!("{are}: somewhere you divide by zero or take the root of a negative number. {they} compared as black.")
+}
+
+fn along_edges(left: &str, share: f64, area: f64) -> String {
     let (share, area) = (100.0 * share, 100.0 * area);
     format!(
-        "What is left lies along edges ({share:.0} % of it on {area:.0} % of the pixels), where samples within the pixel \
+        "{left} lies along edges ({share:.0} % of it on {area:.0} % of the pixels), where samples within the pixel \
          count: render with as many as the expected picture has, and let a single ray go through the pixel's centre."
     )
 }
@@ -100,6 +115,42 @@ fn scaled(factor: f64, correlation: f64) -> String {
         "Your picture shows the same things {factor:.2} times as large: your field of view is {view} (scaled back about the \
          centre, it correlates with the expected one by {correlation:.2}). Multiply the tangent of half your angle by \
          {factor:.2}, and check whether the angle is meant across the width or the height, in degrees or radians."
+    )
+}
+
+fn stretched(horizontally: bool, factor: f64, aspect: f64, correlation: f64) -> String {
+    let is = |other: f64| (factor / other - 1.0).abs() < 0.03;
+    let way = if horizontally { "horizontally" } else { "vertically" };
+    let how = if factor > 1.0 { format!("stretched {way} by") } else { format!("squeezed {way}, by") };
+    let (ratio, cause) = match horizontally {
+        true if is(aspect) => (" = width/height", "the factor width/height of the half width is forgotten"),
+        true if is(1.0 / aspect) => (" = height/width", "the factor width/height of the half width is applied twice"),
+        true if is(aspect * aspect) => {
+            (" = (width/height)²", "the half width has the factor height/width in place of width/height")
+        }
+        false if is(aspect) => (" = width/height", "the half height is divided by width/height, as it should not be"),
+        false if is(1.0 / aspect) => {
+            (" = height/width", "the half height has the factor width/height, which belongs to the half width alone")
+        }
+        _ => ("", "check the factor width/height, and which of the two halves it belongs to"),
+    };
+    format!(
+        "Your picture shows the same things {how} {factor:.2}{ratio}: {cause} (scaled back about the centre, \
+         it correlates with the expected one by {correlation:.2}). half_height = tan(angle / 2), half_width = half_height \
+         * width / height."
+    )
+}
+
+fn recoloured(outlines: f64, inverted: f64) -> String {
+    let tones = if inverted >= 0.1 {
+        format!("in {:.0} % of what has structure light and dark are exchanged", 100.0 * inverted)
+    } else {
+        "differently from place to place".to_owned()
+    };
+    format!(
+        "Everything stands in its place (the outlines correlate by {outlines:.2}), but its colours are other ones: {tones}. \
+         The camera is right. Check the normals (one that points the other way turns (n + 1) / 2 into the complementary \
+         colour, and a lit surface black), then materials and lights."
     )
 }
 
@@ -169,19 +220,30 @@ fn laid(operation: ImageOperation) -> &'static str {
     match operation {
         ImageOperation::None => "Your picture is laid as expected",
         ImageOperation::FlipLeftRight => {
-            "Your picture is flipped left-right: the camera's right vector, or the x of the pixel, has the wrong sign"
+            "Your picture is flipped left-right: x of the pixel has the wrong sign, or right was negated after top = right x \
+             forward was computed"
         }
         ImageOperation::FlipTopBottom => {
-            "Your picture is flipped top-bottom: rows are counted from the bottom where the file counts from the top"
+            "Your picture is flipped top-bottom: rows are counted from the bottom where the file counts from the top, or \
+             top = forward x right"
         }
-        ImageOperation::Turn180 => "Your picture is turned by 180°: both x and y of the pixel have the wrong sign",
-        ImageOperation::TurnClockwise => "Your picture is turned by 90° clockwise",
-        ImageOperation::TurnCounterclockwise => "Your picture is turned by 90° counterclockwise",
+        ImageOperation::Turn180 => {
+            "Your picture is turned by 180°: right = up x forward in place of forward x up (top = right x forward then turns \
+             round with it), or x and y of the pixel both have the wrong sign"
+        }
+        ImageOperation::TurnClockwise => {
+            "Your picture is turned by 90° clockwise: rows and columns are exchanged, and one of them is counted backwards"
+        }
+        ImageOperation::TurnCounterclockwise => {
+            "Your picture is turned by 90° counterclockwise: rows and columns are exchanged, and one of them is counted \
+             backwards"
+        }
         ImageOperation::Transpose => {
             "Your picture is mirrored about the diagonal from the top left: rows and columns are exchanged"
         }
         ImageOperation::Transverse => {
-            "Your picture is mirrored about the diagonal from the top right: rows and columns are exchanged, and counted backwards"
+            "Your picture is mirrored about the diagonal from the top right: right and top are exchanged, or rows and \
+             columns are, both counted backwards"
         }
     }
 }

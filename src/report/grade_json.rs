@@ -16,7 +16,17 @@ pub(super) struct Json<'a> {
     /// True if the code does not divide by the largest component.
     undivided: bool,
     faces: [JsonFace; 6],
+    /// What the code contains, if that is another preset.
+    preset: Option<JsonPreset>,
     notes: &'a [String],
+}
+
+#[derive(Serialize)]
+struct JsonPreset {
+    /// One, unless the pixels cannot tell several apart.
+    names: Vec<&'static str>,
+    /// What the camera's fault is then: `none`, `mirrored`, ...
+    camera: &'static str,
 }
 
 #[derive(Serialize)]
@@ -75,6 +85,10 @@ impl<'a> Json<'a> {
             },
             undivided: grade.undivided,
             faces: grade.faces.each_ref().map(face),
+            preset: grade.preset.as_ref().map(|reading| JsonPreset {
+                names: reading.presets.iter().map(|preset| preset.name()).collect(),
+                camera: fault_name(reading.camera),
+            }),
             notes,
         }
     }

@@ -21,6 +21,7 @@ mod cross_legend;
 mod drawing;
 mod grade_json;
 mod grade_report;
+mod grade_sentences;
 mod grouped;
 mod lessons_report;
 mod logarithmic_axis;

@@ -125,6 +125,77 @@ fn another_field_of_view_is_measured() {
     }
 }
 
+/// What a camera shows whose half width is `factor` times the right one.
+fn widened(scene: &str, [width, height]: [usize; 2], factor: f64) -> Raster {
+    let wide = (4.0 * width as f64 * factor).round() as usize;
+    let (from, to) = (format!("size = [{width}, {height}]"), format!("size = [{wide}, {}]", 4 * height));
+    let large = rendered(scene, &[(&from, &to)]);
+    Raster::from_function(width, height, |x, y| large.pixel((2 * x + 1) * wide / (2 * width), 4 * y + 2))
+}
+
+#[test]
+fn a_wrong_factor_of_width_to_height_is_named() {
+    let aspect = 320.0 / 240.0;
+    let expected = jpeg(&rendered(SPHERES, &[]), 88);
+    for (factor, words) in [
+        (
+            1.0 / aspect,
+            "stretched horizontally by 1.33 = width/height: the factor width/height of the half width is forgotten",
+        ),
+        (
+            aspect,
+            "squeezed horizontally, by 0.75 = height/width: the factor width/height of the half width is applied twice",
+        ),
+        (1.0 / aspect / aspect, "the half width has the factor height/width in place of width/height"),
+    ] {
+        let comparison = compared(&widened(SPHERES, [320, 240], factor), &expected);
+        let [Finding::Stretched { horizontally: true, factor: seen, .. }] = comparison.findings[..] else {
+            panic!("{factor}: {:?}", comparison.findings)
+        };
+        assert!((seen * factor - 1.0).abs() < 0.015, "{factor}: {seen}");
+        assert_eq!(comparison.verdict(true), Verdict::Differs);
+        assert!(text(&comparison).contains(words), "{}", text(&comparison));
+    }
+}
+
+#[test]
+fn other_tones_in_the_right_places_are_no_other_scene() {
+    let expected = rendered("02-normals/ball-smooth.toml", &[]);
+    let ground = expected.pixel(0, 0);
+    // Normals that point inwards, not turned: complementary colours on the left, no light on the right.
+    let inside_out = Raster::from_function(expected.width(), expected.height(), |x, y| match expected.pixel(x, y) {
+        pixel if (pixel - ground).abs().max_element() < 0.01 => pixel,
+        pixel if 2 * x < expected.width() => Vec3::ONE - pixel,
+        _ => Vec3::ZERO,
+    });
+    let pixels = rendered(BALLS, &[]);
+    let negative = Raster::from_function(pixels.width(), pixels.height(), |x, y| Vec3::ONE - pixels.pixel(x, y));
+    for (mine, expected, least) in [(&inside_out, &expected, 0.2), (&negative, &pixels, 0.9)] {
+        let comparison = compared(mine, &jpeg(expected, 88));
+        let [Finding::Recoloured { outlines, inverted }] = comparison.findings[..] else {
+            panic!("{:?}", comparison.findings)
+        };
+        println!("outlines {outlines:.3}, inverted {inverted:.3}");
+        assert!(outlines > 0.75 && inverted > least, "{outlines} {inverted}");
+        assert_eq!(comparison.verdict(true), Verdict::Differs);
+        let text = text(&comparison);
+        assert!(text.contains("Everything stands in its place") && !text.contains("field of view"), "{text}");
+    }
+}
+
+#[test]
+fn the_sentences_blame_the_formula_that_is_wrong() {
+    let expected = rendered(SPHERES, &[]);
+    let turned = Raster::from_function(320, 240, |x, y| expected.pixel(319 - x, 239 - y));
+    let turned = text(&compared(&turned, &file_of(&expected)));
+    assert!(turned.contains("turned by 180°: right = up x forward in place of forward x up"), "{turned}");
+    let mirrored = text(&compared(&flipped(&expected), &file_of(&expected)));
+    assert!(
+        mirrored.contains("flipped left-right: x of the pixel has the wrong sign, or right was negated"),
+        "{mirrored}"
+    );
+}
+
 #[test]
 fn what_is_plainly_other_in_one_place_never_matches() {
     let narrow = rendered(WIDE, &[("exponent = 6 ", "exponent = 60 ")]);

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::border::Borders;
-use super::check::{Check, CheckOptions, Verdict};
+use super::check::{Check, CheckOptions};
 use super::edge::{Border, Edge, Side};
 use super::foreign::Reason;
 use super::handedness::mirrored_faces;
@@ -47,10 +47,11 @@ pub enum Note {
     Undecided {
         faces: Vec<Face>,
     },
-    /// Rough seams of a geometry that fits.
+    /// Rough seams of a geometry that fits, as it is or after the fix.
     Rough {
         seams: usize,
         step: f64,
+        after_the_fix: bool,
     },
     Mirrored {
         faces: Vec<Face>,
@@ -141,22 +142,23 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
     }
 }
 
-/// Seams that are rough although the map fits.
+/// Seams that are rough although the map fits, or would once it is fixed.
 fn rough(check: &Check, notes: &mut Vec<Note>) {
     const ROUGH: f64 = 3.0;
-    if check.verdict == Verdict::Broken {
+    if !check.foreign.is_empty() {
         return;
     }
-    let rough: Vec<f64> = check.seams.iter().filter(|seam| seam.score > ROUGH).map(|seam| seam.step).collect();
+    let rough: Vec<f64> =
+        check.fix.seams_after.iter().filter(|seam| seam.score > ROUGH).map(|seam| seam.step).collect();
     if !rough.is_empty() {
         let step = rough.iter().sum::<f64>() / rough.len() as f64;
-        notes.push(Note::Rough { seams: rough.len(), step });
+        notes.push(Note::Rough { seams: rough.len(), step, after_the_fix: check.fix.changes > 0 });
     }
 }
 
 fn names(faces: &[Face]) -> String {
     match faces {
-        [] => "none".to_owned(),
+        [] => "no face".to_owned(),
         faces if faces.len() == 6 => "all six faces".to_owned(),
         faces => faces.iter().map(|face| face.name()).collect::<Vec<_>>().join(", "),
     }
@@ -188,10 +190,15 @@ impl fmt::Display for Note {
             Self::Undecided { faces } => {
                 write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))
             }
-            Self::Rough { seams, step } => write!(
-                formatter,
-                "{seams} of 12 seams are rough (mean step {step:.1} of 255), but the geometry fits: {ROUGH_REASONS}"
-            ),
+            Self::Rough { seams, step, after_the_fix } => {
+                let are = if *seams == 1 { "is" } else { "are" };
+                let when = if *after_the_fix { " after the fix" } else { "" };
+                write!(
+                    formatter,
+                    "{seams} of 12 seams {are} rough{when} (mean step {step:.1} of 255), but the geometry fits: \
+                     {ROUGH_REASONS}"
+                )
+            }
             Self::Mirrored { faces, after, changes } => {
                 formatter.write_str(&mirrored(faces, after, *changes && faces != after))
             }
@@ -226,7 +233,7 @@ fn mirrored(now: &[Face], after: &[Face], changes: bool) -> String {
     }
     let after = names(after);
     format!(
-        "from the table alone: mirrored in a right-handed world are {now} now, {after} after the fix if the pictures are as \
+        "from the table alone: a right-handed world sees {now} mirrored now, and {after} after the fix if the pictures are as \
          photographed (if they had been flipped, it stays as it is: seams cannot tell)"
     )
 }

@@ -41,6 +41,14 @@ impl Preset {
         Self::ALL.into_iter().find(|preset| preset.name() == name)
     }
 
+    /// The axis that points upwards in the worlds it is meant for.
+    pub fn usual_up(self) -> SignedAxis {
+        match self {
+            Preset::Opengl | Preset::HumusYUp => SignedAxis::POS_Y,
+            Preset::Exercise | Preset::Course | Preset::HumusZUp => SignedAxis::POS_Z,
+        }
+    }
+
     /// The table.
     pub fn lookup(self) -> Lookup {
         use Face::{NegX, NegY, NegZ, PosX, PosY, PosZ};

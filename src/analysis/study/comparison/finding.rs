@@ -27,6 +27,12 @@ pub enum Finding {
     ExpectedEven { mine: f64, expected: f64 },
     /// Mine shows the same things `factor` times as large: the camera has another field of view.
     Scaled { factor: f64, correlation: f64 },
+    /// Mine shows the same things `factor` times as wide (`horizontally`) or as high: the factor width/height is wrong.
+    /// `aspect` is that of the expected picture.
+    Stretched { horizontally: bool, factor: f64, aspect: f64, correlation: f64 },
+    /// Everything stands in its place, but in other tones: the correlation of the outlines, and the share of what has
+    /// structure in which light and dark are exchanged, `[0, 1]`.
+    Recoloured { outlines: f64, inverted: f64 },
     /// A part of mine is as expected, and the rest is something else.
     Partial { part: Partial },
     /// Nothing in mine stands where the expected picture has it, whichever way it is laid.
@@ -70,6 +76,8 @@ impl Finding {
                 | Finding::ExpectedEven { .. }
                 | Finding::Unrelated { .. }
                 | Finding::Scaled { .. }
+                | Finding::Stretched { .. }
+                | Finding::Recoloured { .. }
                 | Finding::Partial { .. }
         )
     }

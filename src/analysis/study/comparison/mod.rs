@@ -9,8 +9,8 @@
 //!   rest     clipped highlights, a region, edges, noise, or all over
 //! ```
 //!
-//! Pictures without detail are laid by their colours. Where no laying correlates, another field of view is tried, and
-//! whether a part of the picture fits in place.
+//! Pictures without detail are laid by their colours. Where no laying correlates, another field of view or factor
+//! width/height is tried, whether a part of the picture fits in place, and whether the outlines do in other tones.
 //!
 //! Each finding is kept only if undoing all the others without it leaves decisively more.
 
@@ -20,6 +20,7 @@ mod evenness;
 mod finding;
 mod laid;
 mod noise;
+mod outlines;
 mod partial;
 mod region;
 mod resized;

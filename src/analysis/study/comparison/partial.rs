@@ -74,7 +74,7 @@ enum Agreement {
 }
 
 /// The luma without what changes slowly.
-fn detail(luma: &Plane) -> Plane {
+pub(super) fn detail(luma: &Plane) -> Plane {
     let kernel = gaussian(3.0, 7);
     luma.zip(&luma.filtered(&kernel, &kernel), |value, slow| value - slow)
 }

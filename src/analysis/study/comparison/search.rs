@@ -2,10 +2,9 @@
 
 use super::evenness::Evenness;
 use super::laid::inverse;
-use super::scaled::Scale;
 use super::structure::{self, Match};
 use super::undoing::{Part, Undoing};
-use super::{Evidence, Finding, Tone, partial, scaled, shift, smooth, tone_search};
+use super::{Evidence, Finding, Tone, outlines, partial, scaled, shift, smooth, tone_search};
 use crate::envmap::ImageOperation;
 use crate::math::Vec3;
 use crate::math::functions::binary_logarithm;
@@ -100,14 +99,22 @@ fn uneven(
         [true, true] => Ok(Related { matched: Match { shift: [0, 0], ..as_it_is }, reach: None }),
         [true, false] => Err(Finding::Flat { luma: own.luma, alpha, deviation: in_codes(own) }),
         [false, true] => Err(Finding::ExpectedEven { mine: in_codes(own), expected: in_codes(other) }),
-        [false, false] => Err(scaled::found(mine, expected, &as_it_is).map_or_else(
-            || {
-                partial::found(mine, expected)
-                    .map_or(Finding::Unrelated { correlation: matched.correlation }, |part| Finding::Partial { part })
-            },
-            |Scale { factor, correlation }| Finding::Scaled { factor, correlation },
-        )),
+        [false, false] => Err(something_else(mine, expected, &as_it_is, matched.correlation)),
     }
+}
+
+/// What can be said of pictures in which nothing stands where it should in the tones it should have.
+fn something_else(mine: &Raster, expected: &Raster, as_it_is: &Match, correlation: f64) -> Finding {
+    let aspect = expected.width() as f64 / expected.height() as f64;
+    let part = || partial::found(mine, expected).map(|part| Finding::Partial { part });
+    let outlines = || outlines::found(mine, expected);
+    scaled::found(mine, expected, as_it_is)
+        .map(|scale| scale.finding(aspect))
+        .or_else(part)
+        .or_else(|| {
+            outlines().map(|found| Finding::Recoloured { outlines: found.correlation, inverted: found.inverted })
+        })
+        .unwrap_or(Finding::Unrelated { correlation })
 }
 
 /// The shift in pixels of the expected picture, from the rough one of the small pictures.

@@ -1,5 +1,5 @@
-//! What the shots say about camera and lookup. The same pictures may come from either: the simplest explanation is the
-//! one with the fewest things wrong, and the other one is named.
+//! What the shots say about camera and lookup. The same pictures may come from either: a camera is blamed if it leaves at
+//! most one face wrong, and at least three fewer than a right camera does. [`super::alternative`] names the others.
 
 use super::misfit::Misfit;
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
@@ -46,23 +46,18 @@ impl FaceGrade {
         !self.possible.is_empty() && !self.possible.contains(&self.right())
     }
 
+    /// How many things are to be changed for it: its image, its laying.
+    pub fn changes(&self) -> usize {
+        let placement = self.placement().filter(|_| self.is_wrong());
+        placement.map_or(0, |Placement { image, laying }| {
+            usize::from(image != self.expected) + usize::from(laying != Laying::IDENTITY)
+        })
+    }
+
     /// What to compute from the code's own (u, v).
     pub fn repair(&self) -> Option<Laying> {
         self.placement().map(|placement| placement.laying.inverse())
     }
-}
-
-/// Another way to explain the same pictures.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Alternative {
-    /// The camera is right, and the lookup does this.
-    Lookup(Box<[FaceGrade; 6]>),
-    /// The lookup is right, and the camera stands so.
-    Camera(CameraFault),
-    /// The lookup is right, and the cameras of these shots were rolled.
-    Rolled(Vec<Face>),
-    /// The lookup is right, and the first of each is the shot of the second.
-    Exchanged(Vec<(Face, Face)>),
 }
 
 /// The shots of a map, their frames and what they may show.
@@ -98,64 +93,23 @@ impl Evidence<'_> {
         FaceGrade { face, shot: frame.face, possible, misfit: reading.misfit, expected }
     }
 
-    /// The camera that leaves the fewest things wrong. A camera is blamed only if it explains at least three wrong
-    /// faces and leaves none wrong, or one of six.
+    /// The camera that is blamed: one that leaves at most one face wrong, and at least three fewer than a right camera.
     pub fn camera(&self) -> CameraFault {
         let wrong_faces = wrong(&self.under(CameraFault::NONE));
-        let allowed = usize::from(wrong_faces == 6);
         match self.best_camera() {
-            Some((camera, left)) if wrong_faces >= 3 && left <= allowed => camera,
+            Some((camera, left)) if left <= 1 && wrong_faces >= left + 3 => camera,
             _ => CameraFault::NONE,
         }
     }
 
     /// The simplest camera with a fault under which the fewest faces are wrong, and how many.
-    fn best_camera(&self) -> Option<(CameraFault, usize)> {
+    pub fn best_camera(&self) -> Option<(CameraFault, usize)> {
         let simplicity = |camera: &CameraFault| {
             usize::from(camera.exchanges_axes()) + usize::from(camera.laying != Laying::IDENTITY)
         };
         let cameras = CameraFault::all().into_iter().filter(|camera| *camera != CameraFault::NONE);
         let scored = cameras.map(|camera| (camera, wrong(&self.under(camera))));
         scored.min_by_key(|(camera, wrong)| (*wrong, simplicity(camera)))
-    }
-
-    /// The other explanation of a fault, if there is a simple one.
-    pub fn alternative(&self, camera: CameraFault) -> Option<Alternative> {
-        let grades = self.under(CameraFault::NONE);
-        if camera != CameraFault::NONE {
-            return Some(Alternative::Lookup(Box::new(grades)));
-        }
-        if wrong(&grades) == 0 {
-            return None;
-        }
-        let wrong_grades = || grades.iter().filter(|grade| grade.is_wrong());
-        if wrong_grades().all(|grade| self.is_rolled(grade)) {
-            return Some(Alternative::Rolled(wrong_grades().map(|grade| grade.shot).collect()));
-        }
-        let exchanged: Option<Vec<_>> =
-            wrong_grades().map(|grade| self.shot_of(grade).map(|other| (grade.shot, other))).collect();
-        exchanged.map(Alternative::Exchanged).or_else(|| {
-            let (camera, left) = self.best_camera()?;
-            (left == 0).then_some(Alternative::Camera(camera))
-        })
-    }
-
-    /// True if the shot shows the right picture turned, not mirrored.
-    fn is_rolled(&self, grade: &FaceGrade) -> bool {
-        let Some(placement) = grade.placement() else { return false };
-        let Laying { swaps, inverts_u, inverts_v } = placement.laying;
-        placement.image == grade.expected && swaps == (inverts_u != inverts_v)
-    }
-
-    /// The other axis whose right picture this shot is.
-    fn shot_of(&self, grade: &FaceGrade) -> Option<Face> {
-        let placement = grade.placement()?;
-        let screen = |frame: &ShotFrame| on_screen(self.lookup.row(frame.face), frame.right, frame.up);
-        let shown = placement.laying.after(screen(&self.frames[grade.shot.index()]));
-        let other = self.frames.iter().find(|frame| {
-            self.lookup.row(frame.face).image == placement.image && screen(frame) == shown && frame.face != grade.shot
-        });
-        other.map(|frame| frame.face)
     }
 }
 

@@ -7,7 +7,7 @@
 //!
 //! So nothing needs to be known of the neighbours, which a wrong lookup may have wrong, too.
 
-use super::matching::{ImageLevels, Screen, best, candidates, mean_square, variance};
+use super::matching::{ImageLevels, Screen, best, candidates, mean_square, relief, variance};
 use super::placement::{Placement, source_cells};
 use super::thumbnail::{Codes, Middle};
 use super::tone::Levels;
@@ -26,6 +26,9 @@ const FINE_STEPS: i32 = 24;
 const FINE_STEP: f64 = 0.004;
 /// A scale off by less is not off; nor one off by half a pixel at the borders of a small shot.
 const TOLERANCE: f64 = 0.02;
+/// What another scale must explain at least, as a share of the variance: what it explains of a plain colour or of a
+/// gradient, which fits at any scale, is rounding.
+const TELLING: f64 = 0.02;
 /// Variance below which a shot tells little.
 const DULL: f64 = 0.03 * 0.03;
 
@@ -88,8 +91,10 @@ impl Views<'_> {
         let scored = scales.map(|scale| (scale, self.misfit_of(&placements, scale)));
         let (scale, misfit) = scored.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are scales");
         let narrowest = self.shots.iter().map(|shot| shot.width).min().unwrap_or(1);
+        let misfit_of_one = self.misfit_of(&placements, 1.0);
         let is_one = (scale - 1.0).abs() < TOLERANCE.max(1.0 / narrowest as f64)
-            || misfit > 0.9 * self.misfit_of(&placements, 1.0);
+            || misfit > 0.9 * misfit_of_one
+            || misfit_of_one - misfit < TELLING;
         if is_one { 1.0 } else { scale }
     }
 
@@ -100,7 +105,7 @@ impl Views<'_> {
             let shot = self.shot(index, scale, COARSE);
             let candidates = candidates(&images, self.expected[index], &shot, self.screens[index], COARSE);
             let best = best(&candidates);
-            (best.error < 0.4 * variance(&shot) && variance(&shot) > DULL).then_some((index, best.placement))
+            (best.error < 0.4 * variance(&shot) && relief(&shot) > DULL).then_some((index, best.placement))
         };
         (0..6).filter_map(placement).collect()
     }

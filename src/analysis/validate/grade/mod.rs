@@ -3,8 +3,10 @@
 //! 1. [`thumbnail`] brings shots and images to one small size, [`tone`] takes out gamma and exposure.
 //! 2. [`field_of_view`] finds how wide the camera saw, or that the code forgets to divide.
 //! 3. [`matching`] tries six images laid eight ways for each shot, and says which the pixels exclude.
-//! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`misfit`] what a shot looks like that shows no image.
+//! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`alternative`] what else explains the same shots,
+//!    [`misfit`] what a shot looks like that shows no image.
 
+mod alternative;
 mod explanation;
 mod field_of_view;
 mod matching;
@@ -13,7 +15,8 @@ mod placement;
 mod thumbnail;
 mod tone;
 
-pub use explanation::{Alternative, FaceGrade};
+pub use alternative::{Alternative, PresetReading};
+pub use explanation::FaceGrade;
 pub use misfit::Misfit;
 pub use placement::{CameraFault, Placement, ShotFrame};
 
@@ -66,7 +69,10 @@ pub struct Grade {
     pub undivided: bool,
     /// In the order of [`Face::ALL`].
     pub faces: [FaceGrade; 6],
-    pub alternative: Option<Alternative>,
+    /// Other explanations of the same pictures.
+    pub alternatives: Vec<Alternative>,
+    /// What the code contains if it is another preset than the lookup it should have.
+    pub preset: Option<PresetReading>,
 }
 
 /// A map, and how the shots of it should be taken: ready to grade any number of them.
@@ -107,7 +113,8 @@ impl Grader {
             undivided: warped.is_some(),
             field_of_view: (scale != 1.0).then(|| field_of_view::degrees(scale)),
             faces: evidence.under(camera),
-            alternative: evidence.alternative(camera),
+            alternatives: evidence.alternatives(camera),
+            preset: evidence.preset(),
         }
     }
 

@@ -70,6 +70,11 @@ impl CameraFault {
         axes.into_iter().flat_map(cameras).collect()
     }
 
+    /// The cameras that look along the right axes and lay all six pictures alike, the right one first.
+    pub(super) fn laid_alike() -> impl Iterator<Item = Self> {
+        Laying::ALL.into_iter().map(|laying| Self { laying, ..Self::NONE })
+    }
+
     pub fn axis(&self, axis: SignedAxis) -> SignedAxis {
         let seen = self.axes[usize::from(axis.axis)];
         if axis.negative { -seen } else { seen }
