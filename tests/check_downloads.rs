@@ -74,3 +74,37 @@ fn the_rest_of_a_folder_of_maps_is_still_checked() {
         assert!(errors.contains(part), "{part}: {errors}");
     }
 }
+
+#[test]
+fn a_subfolder_does_not_hide_that_a_map_cannot_be_read() {
+    let folder = TempDir::new().unwrap();
+    copy_with(folder.path(), "sky", "posx", POINTER);
+    copy_compass(&folder.path().join("sky"), "other");
+    let output = skycube(&folder, &["check", "sky"]);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stdout));
+    assert!(text(&output.stderr).contains("a git-lfs pointer"), "{}", text(&output.stderr));
+    let output = skycube(&folder, &["check", "."]);
+    assert!(text(&output.stdout).starts_with("./sky: cannot be checked: "), "{}", text(&output.stdout));
+    assert!(text(&output.stdout).ends_with("\n1 map: 0 fit, 0 broken, 0 undecidable, 1 could not be checked\n"));
+    assert!(text(&output.stderr).ends_with("error: 1 of 1 map could not be checked\n"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn every_argument_may_be_a_folder_of_maps() {
+    let folder = TempDir::new().unwrap();
+    for outer in ["day", "night"] {
+        std::fs::create_dir(folder.path().join(outer)).unwrap();
+        copy_compass(&folder.path().join(outer), "one");
+        copy_compass(&folder.path().join(outer), "two");
+    }
+    // A link in a circle ends; a link to a map is a map.
+    #[cfg(unix)]
+    for (target, link) in [(".", "day/circle"), ("..", "day/up")] {
+        std::os::unix::fs::symlink(target, folder.path().join(link)).unwrap();
+    }
+    let output = skycube(&folder, &["check", "day", "night"]);
+    let report = text(&output.stdout).replace('\\', "/");
+    let expected = ["day/one: fits", "day/two: fits", "night/one: fits", "night/two: fits"];
+    assert_eq!(report.lines().take(4).collect::<Vec<_>>(), expected);
+    assert!(report.ends_with("\n4 maps: 4 fit, 0 broken, 0 undecidable, 0 could not be checked\n"), "{report}");
+}
