@@ -194,6 +194,6 @@ fn bake_writes_the_six_images() {
     let arguments = ["bake", LESSON, "-o", "faces", "--face-size", "16", "--samples", "1", "--format", "jpg"];
     let output = skycube(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let expected = ["negx.jpg", "negy.jpg", "negz.jpg", "posx.jpg", "posy.jpg", "posz.jpg"];
+    let expected = [".skycube-written", "negx.jpg", "negy.jpg", "negz.jpg", "posx.jpg", "posy.jpg", "posz.jpg"];
     assert_eq!(files(&folder.path().join("faces")), expected);
 }
