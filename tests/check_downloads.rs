@@ -3,6 +3,8 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
+use skycube::math::Vec3;
+use skycube::picture::{Raster, WriteOptions};
 use tempfile::TempDir;
 
 const PAGE: &[u8] = b"<!DOCTYPE html>\n<html><head><title>Sign in</title></head><body>posx.jpg</body></html>\n";
@@ -73,4 +75,63 @@ fn the_rest_of_a_folder_of_maps_is_still_checked() {
     for part in ["posx.jpg", "a web page (HTML)", "negy.jpg", "a git-lfs pointer", "archive.zip"] {
         assert!(errors.contains(part), "{part}: {errors}");
     }
+}
+
+#[test]
+fn a_subfolder_does_not_hide_that_a_map_cannot_be_read() {
+    let folder = TempDir::new().unwrap();
+    copy_with(folder.path(), "sky", "posx", POINTER);
+    copy_compass(&folder.path().join("sky"), "other");
+    let output = skycube(&folder, &["check", "sky"]);
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stdout));
+    assert!(text(&output.stderr).contains("a git-lfs pointer"), "{}", text(&output.stderr));
+    let output = skycube(&folder, &["check", "."]);
+    assert!(text(&output.stdout).starts_with("./sky: cannot be checked: "), "{}", text(&output.stdout));
+    assert!(text(&output.stdout).ends_with("\n1 map: 0 fit, 0 broken, 0 undecidable, 1 could not be checked\n"));
+    assert!(text(&output.stderr).ends_with("error: 1 of 1 map could not be checked\n"), "{}", text(&output.stderr));
+}
+
+#[test]
+fn every_argument_may_be_a_folder_of_maps() {
+    let folder = TempDir::new().unwrap();
+    for outer in ["day", "night"] {
+        std::fs::create_dir(folder.path().join(outer)).unwrap();
+        copy_compass(&folder.path().join(outer), "one");
+        copy_compass(&folder.path().join(outer), "two");
+    }
+    // A link in a circle ends; a link to a map is a map.
+    #[cfg(unix)]
+    for (target, link) in [(".", "day/circle"), ("..", "day/up")] {
+        std::os::unix::fs::symlink(target, folder.path().join(link)).unwrap();
+    }
+    let output = skycube(&folder, &["check", "day", "night"]);
+    let report = text(&output.stdout).replace('\\', "/");
+    let expected = ["day/one: fits", "day/two: fits", "night/one: fits", "night/two: fits"];
+    assert_eq!(report.lines().take(4).collect::<Vec<_>>(), expected);
+    assert!(report.ends_with("\n4 maps: 4 fit, 0 broken, 0 undecidable, 0 could not be checked\n"), "{report}");
+}
+
+#[test]
+fn a_line_names_faces_that_do_not_belong_beside_what_changes() {
+    let folder = TempDir::new().unwrap();
+    copy_compass(folder.path(), "right");
+    let courtyard = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/courtyard");
+    std::fs::create_dir(folder.path().join("strange")).unwrap();
+    for entry in std::fs::read_dir(courtyard).unwrap().flatten() {
+        std::fs::copy(entry.path(), folder.path().join("strange").join(entry.file_name())).unwrap();
+    }
+    let write = |name: &str, raster: &Raster| {
+        let file = folder.path().join("strange").join(name).with_extension("png");
+        skycube::picture::write(raster, &file, &WriteOptions::default()).unwrap();
+        let _ = std::fs::remove_file(file.with_extension("jpg"));
+    };
+    let negz = skycube::picture::read(&folder.path().join("strange/negz.jpg")).unwrap().to_raster();
+    let size = negz.width();
+    write("negz", &Raster::from_function(size, size, |x, y| negz.pixel(size - 1 - x, y)));
+    let stripes = |x: usize, y: usize| Vec3::new((x / 8 % 2) as f32, (y / 16 % 2) as f32, ((x + y) / 4 % 2) as f32);
+    write("posx", &Raster::from_function(size, size, stripes));
+    let output = skycube(&folder, &["check", "right", "strange"]);
+    let report = text(&output.stdout);
+    let line = report.lines().nth(1).unwrap();
+    assert!(line.contains("negz u' = 1-u; ") && line.contains("posx (posx.png) does not belong here"), "{report}");
 }

@@ -34,6 +34,12 @@ fn lessons_are_listed_and_shown_in_both_languages() {
     assert!(list.starts_with("03  Shadows  needs: Lesson 02.\n"), "{list}");
     let (_, list, _) = run(&["--language", "cs"]);
     assert!(list.starts_with("03  Stíny  potřebuje: Lekce 02.\n"), "{list}");
+    let (code, text, error) = run(&["--language", "cs", "start", "3", "-o", "first"]);
+    assert_eq!(code, Some(0), "{error}");
+    assert!(text.contains("přečtěte si") && !text.contains("už tam je"), "{text}");
+    std::fs::remove_file(folder.path().join("first/README.md")).unwrap();
+    let (_, text, _) = run(&["start", "3", "-o", "first"]);
+    assert!(text.contains("wrote first/README.md\nalready there: first/maps/posx.txt\n"), "{text}");
     let (_, page, _) = run(&["03"]);
     assert!(page.contains("goal: See shadows.") && page.contains("    skycube render a.toml\n"), "{page}");
     let (code, _, error) = run(&["4"]);

@@ -9,7 +9,7 @@ use common::skycube;
 use skycube::envmap::source::Skybox;
 use skycube::envmap::{CubeFilter, CubeMap, Face, Preset, Probe};
 use skycube::math::Vec3;
-use skycube::picture::{Picture, read};
+use skycube::picture::{Picture, Raster, WriteOptions, read, write};
 
 fn compass() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass")
@@ -148,4 +148,43 @@ fn shots_do_not_overwrite_what_may_be_the_students_own() {
     // Its own shots are replaced.
     stdout(&skycube(folder.path(), &arguments));
     stdout(&skycube(folder.path(), &arguments));
+}
+
+/// A map in a folder, its faces computed from the compass.
+fn map_of(folder: &Path, face: impl Fn(Face, Raster) -> Raster) {
+    std::fs::create_dir(folder).unwrap();
+    for name in Face::ALL {
+        let file = Path::new(name.name()).with_extension("png");
+        let raster = face(name, read(&compass().join(&file)).unwrap().to_raster());
+        write(&raster, &folder.join(&file), &WriteOptions::default()).unwrap();
+    }
+}
+
+#[test]
+fn why_nothing_is_fixed_is_said_by_the_verdict() {
+    let folder = tempfile::tempdir().unwrap();
+    map_of(&folder.path().join("flat"), |_, _| Raster::filled(16, 16, Vec3::splat(0.5)));
+    let reason = "undecidable: the pixels do not tell whether these faces fit; nothing is changed";
+    for arguments in [
+        &["probe", "flat", "--direction", "1,2,3"][..],
+        &["cross", "flat", "--fixed", "-o", "cross.png", "--cell", "64"],
+        &["shots", "flat", "--fixed", "-o", "out", "--size", "16"],
+    ] {
+        let text = stdout(&skycube(folder.path(), arguments));
+        assert!(text.contains(reason) && !text.contains("nothing to fix"), "{text}");
+    }
+}
+
+#[test]
+fn faces_of_several_sizes_are_seen_as_check_sees_them() {
+    let folder = tempfile::tempdir().unwrap();
+    map_of(&folder.path().join("mixed"), |face, raster| raster.reduced(if face == Face::PosX { 2 } else { 4 }));
+    for filter in ["nearest", "bilinear", "seamless"] {
+        let cross = ["cross", "mixed", "-o", "cross.png", "--cell", "64", "--filter", filter];
+        stdout(&skycube(folder.path(), &cross));
+    }
+    stdout(&skycube(folder.path(), &["probe", "mixed", "--direction", "1,0.99,0"]));
+    stdout(&skycube(folder.path(), &["shots", "mixed", "-o", "out", "--size", "64"]));
+    let grade = ["grade", "out", "--map", "mixed", "--lookup", "opengl"];
+    assert!(stdout(&skycube(folder.path(), &grade)).contains("right"));
 }

@@ -9,11 +9,13 @@ use rayon::ThreadPool;
 use super::Outcome;
 use super::interrupt;
 use super::options::{
-    PictureOptions, SceneOverrides, check_pixel_count, read_lookup, refuse_folder_of, refuse_to_overwrite_sources,
+    PictureOptions, SceneOverrides, check_pixel_count, parse_three, read_lookup, refuse_folder_of,
+    refuse_shared_images, refuse_to_overwrite_sources,
 };
+use super::own_output::refuse_rivals;
 use super::progress_bar::RenderBar;
 use crate::envmap::{Face, Lookup};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::math::DVec3;
 use crate::picture::{self, OutputFormat, Raster, make_folder};
 use crate::render::bake_face;
@@ -59,6 +61,7 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     for target in &targets {
         refuse_to_overwrite_sources(target, &scene.sources)?;
     }
+    refuse_rivals(&targets)?;
     let pool = arguments.overrides.thread_pool()?;
     let size = arguments.face_size as usize;
     check_pixel_count([6 * size, size])?;
@@ -104,21 +107,7 @@ fn bake(
     Ok((rasters.into_iter().map(|(_, raster)| raster).collect(), rays))
 }
 
-/// Two faces that read one image cannot both be baked into it.
-fn refuse_shared_images(lookup: &Lookup) -> Result<()> {
-    for (index, row) in lookup.rows().iter().enumerate() {
-        if lookup.rows()[..index].iter().any(|other| other.image == row.image) {
-            let problem = format!("two faces of the lookup read {}: it cannot hold both", row.image.name());
-            return Err(Error::new(problem).expected("a lookup whose faces read six different images"));
-        }
-    }
-    Ok(())
-}
-
 fn parse_point(text: &str) -> std::result::Result<DVec3, String> {
-    let numbers: Vec<f64> = text.split(',').filter_map(|number| number.trim().parse().ok()).collect();
-    match numbers.as_slice() {
-        [x, y, z] if numbers.iter().all(|number| number.is_finite()) => Ok(DVec3::new(*x, *y, *z)),
-        _ => Err("expected three numbers, such as 0,1.7,0".to_owned()),
-    }
+    let point = parse_three(text).map(DVec3::from_array).filter(|point| point.is_finite());
+    point.ok_or_else(|| "expected three numbers, such as 0,1.7,0".to_owned())
 }

@@ -8,7 +8,7 @@ use super::Outcome;
 use super::map_options::check_skybox;
 use super::options::read_lookup;
 use crate::envmap::SignedAxis;
-use crate::envmap::source::Skybox;
+use crate::envmap::source::{Skybox, is_meant_as_map};
 use crate::error::{Error, Result};
 use crate::report::{CheckReport, failed_check_json};
 use crate::validate::{Check, CheckOptions, Names, Verdict};
@@ -64,20 +64,26 @@ pub struct CheckArguments {
 /// Checks one map in full, or several with a line each.
 pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
     read_lookup(&arguments.validation.lookup)?;
-    if let [map] = &arguments.maps[..] {
-        match Skybox::open_lenient(map) {
-            Ok(skybox) => return check_one(map, &skybox, arguments),
-            Err(error) => {
-                let inside = maps_inside(map);
-                return if inside.is_empty() { Err(error) } else { check_several(&inside, arguments) };
-            }
-        }
+    let maps: Vec<PathBuf> = arguments.maps.iter().flat_map(|map| maps_at(map)).collect();
+    match &maps[..] {
+        [map] if arguments.maps == maps => check_one(map, arguments),
+        _ => check_several(&maps, arguments),
     }
-    check_several(&arguments.maps, arguments)
 }
 
-fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<Outcome> {
-    let check = arguments.validation.check(skybox)?;
+/// The maps that an argument stands for: those inside a folder of maps, else the argument itself.
+fn maps_at(path: &Path) -> Vec<PathBuf> {
+    let inside = if is_map(path) { Vec::new() } else { maps_inside(path) };
+    if inside.is_empty() { vec![path.to_owned()] } else { inside }
+}
+
+/// True if the path is a map, or a folder that is meant as one: what lies deeper does not stand for it.
+fn is_map(path: &Path) -> bool {
+    Skybox::open_lenient(path).is_ok() || is_meant_as_map(path)
+}
+
+fn check_one(map: &Path, arguments: &CheckArguments) -> Result<Outcome> {
+    let check = arguments.validation.check(&Skybox::open_lenient(map)?)?;
     let report = CheckReport::new(map.display().to_string(), &check);
     if arguments.json {
         super::print(format_args!("{}\n", report.to_json()));
@@ -88,7 +94,7 @@ fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<
 }
 
 /// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one, and an archive
-/// that cannot be read, is listed too: its line says what is wrong.
+/// that cannot be read, is listed too: its line says what is wrong. A link to a folder is followed only if that is a map.
 fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
@@ -96,11 +102,10 @@ fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     let mut maps = Vec::new();
     for path in paths {
         let archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
-        if archive || Skybox::open_lenient(&path).is_ok() {
+        if archive || is_map(&path) {
             maps.push(path);
-        } else if path.is_dir() {
-            let inside = maps_inside(&path);
-            maps.extend(if inside.is_empty() { vec![path] } else { inside });
+        } else if path.is_dir() && !path.is_symlink() {
+            maps.extend(maps_at(&path));
         }
     }
     maps
@@ -128,16 +133,21 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
     if arguments.json {
         super::print(format_args!("[\n{}\n]\n", entries.join(",\n")));
     } else {
-        let count = maps.len();
+        let count = counted(maps.len());
         super::print(format_args!(
-            "{count} maps: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked\n"
+            "{count}: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked\n"
         ));
     }
     if failed > 0 {
-        return Err(Error::new(format!("{failed} of {} maps could not be checked", maps.len())));
+        return Err(Error::new(format!("{failed} of {} could not be checked", counted(maps.len()))));
     }
     let faults = broken > 0 || (arguments.strict && undecidable > 0);
     Ok(if faults { Outcome::Faults } else { Outcome::Clean })
+}
+
+/// `1 map`, `2 maps`.
+fn counted(maps: usize) -> String {
+    format!("{maps} map{}", if maps == 1 { "" } else { "s" })
 }
 
 /// The line of a map, or its JSON. What is wrong with a map that cannot be checked goes to stderr in full.

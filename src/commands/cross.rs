@@ -11,7 +11,7 @@ use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
 use crate::picture::check_target;
-use crate::report::{CrossInput, Drawing, SeamMark, draw_cross};
+use crate::report::{CrossInput, Drawing, SeamMark, draw_cross, nothing_to_fix};
 use crate::validate::Seam;
 
 #[derive(Debug, Args)]
@@ -53,7 +53,7 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
         super::print(format_args!("{assumption}\n"));
     }
     if arguments.fixed && check.fix.changes == 0 {
-        super::print(format_args!("nothing to fix: drawn once\n"));
+        super::print(format_args!("{}; drawn once\n", nothing_to_fix(&check)));
     }
     super::print(format_args!(
         "wrote {}: {} x {} pixels\n",

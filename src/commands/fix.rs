@@ -6,11 +6,12 @@ use clap::Args;
 
 use super::Outcome;
 use super::check::ValidationOptions;
-use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
+use super::options::{refuse_shared_images, refuse_source_folder, refuse_to_overwrite_sources};
+use super::own_output::refuse_rivals;
 use crate::envmap::Laying;
 use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
-use crate::picture::{make_folder, write_together};
+use crate::picture::{check_folder_target, make_folder, write_together};
 use crate::report::{CodeLanguage, lookup_code};
 use crate::validate::{Check, FaceFix, Verdict};
 
@@ -70,14 +71,17 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
 
 fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     refuse_source_folder(skybox, folder)?;
+    refuse_shared_images(&check.lookup)?;
+    check_folder_target(folder)?;
     let mut files = Vec::new();
     for fix in &check.fix.faces {
         files.push(corrected(skybox, check, fix, folder)?);
     }
     for file in &files {
         refuse_to_overwrite_sources(&file.target, &skybox.files())?;
-        refuse_rivals(folder, &file.target)?;
     }
+    let targets: Vec<PathBuf> = files.iter().map(|file| file.target.clone()).collect();
+    refuse_rivals(&targets)?;
     make_folder(folder)?;
     write_together(files.iter().map(|file| (file.target.as_path(), file.bytes.as_slice())))?;
     for file in &files {
@@ -114,20 +118,6 @@ fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Re
         _ => format!("{}, {}{alpha}", image.name(), operation.name()),
     };
     Ok(Corrected { target: target(extension), bytes, what })
-}
-
-/// An error if the folder holds the same face in another format: the result would be ambiguous.
-fn refuse_rivals(folder: &Path, target: &Path) -> Result<()> {
-    let Ok(entries) = std::fs::read_dir(folder) else { return Ok(()) };
-    for entry in entries.flatten() {
-        let path = entry.path();
-        if path.file_stem() == target.file_stem() && path != target {
-            return Err(Error::new(format!("{} would lie beside it", target.display()))
-                .in_file(path)
-                .help("choose an empty folder with -o"));
-        }
-    }
-    Ok(())
 }
 
 #[cfg(test)]

@@ -42,7 +42,7 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
     let lookup_name = arguments.lookup.as_deref().unwrap_or("course");
     let lookup = read_lookup(lookup_name)?;
     let world_up = arguments.world_up.unwrap_or_else(|| usual_up(lookup_name));
-    let skybox = Skybox::open(&arguments.map)?;
+    let skybox = Skybox::open_lenient(&arguments.map)?;
     let shots = read_shots(&arguments.shots)?;
     let map = load(&skybox, lookup)?;
     let frames =

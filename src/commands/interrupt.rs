@@ -1,4 +1,7 @@
-//! Ctrl-C: asks the running command to stop; nothing half-written stays behind.
+//! Ctrl-C: asks the running command to stop; no target is ever half-written.
+//!
+//! A command that watches stops in good order. One that does not, or is asked a second time, ends at once: if it was just
+//! writing, `.skycube-*.partial` may stay beside a target, which is the old file or the new one.
 
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,7 +12,7 @@ static INSTALL: Once = Once::new();
 /// From now on Ctrl-C is noted instead of ending the process.
 pub fn watch() {
     INSTALL.call_once(|| {
-        // Without a handler Ctrl-C ends the process at once, which breaks no file either: files are renamed into place.
+        // Without a handler Ctrl-C ends the process at once, which breaks no target either: files are renamed into place.
         let _ = ctrlc::set_handler(|| {
             // Asked a second time, do not wait for the work in hand.
             if REQUESTED.swap(true, Ordering::Relaxed) {

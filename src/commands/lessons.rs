@@ -10,7 +10,6 @@ use crate::lessons::{Language, default_folder, find, read_all, start};
 use crate::report::{lesson_list, lesson_page, lesson_started};
 
 #[derive(Debug, Args)]
-#[command(args_conflicts_with_subcommands = true)]
 pub struct LessonsArguments {
     /// Show this lesson: its goal and its commands
     #[arg(value_name = "NN", value_parser = lesson_number)]
@@ -24,10 +23,10 @@ pub struct LessonsArguments {
 #[derive(Debug, Args)]
 struct LessonOptions {
     /// The language of the lessons
-    #[arg(long, value_enum, default_value = "en")]
+    #[arg(long, value_enum, default_value = "en", global = true)]
     language: Language,
     /// The folder that the lessons lie in [default: that of the clone]
-    #[arg(long, value_name = "FOLDER")]
+    #[arg(long, value_name = "FOLDER", global = true)]
     folder: Option<PathBuf>,
 }
 
@@ -45,23 +44,18 @@ struct StartArguments {
     /// Where to copy it [default: a folder with the lesson's name, in this folder]
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
-    #[command(flatten)]
-    options: LessonOptions,
 }
 
 /// Lists, shows or starts.
 pub fn run(arguments: &LessonsArguments) -> Result<Outcome> {
-    let options = match &arguments.command {
-        Some(LessonCommand::Start(start)) => &start.options,
-        None => &arguments.options,
-    };
+    let options = &arguments.options;
     let lessons = read_all(&options.folder.clone().unwrap_or_else(default_folder))?;
     let text = match (&arguments.command, arguments.number) {
         (Some(LessonCommand::Start(arguments)), _) => {
             let lesson = find(&lessons, arguments.number)?;
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(lesson.name()));
-            let written = start(lesson, &folder)?;
-            lesson_started(lesson, &written, &folder, options.language)
+            let started = start(lesson, &folder)?;
+            lesson_started(lesson, &started, &folder, options.language)
         }
         (None, Some(number)) => lesson_page(find(&lessons, number)?, options.language),
         (None, None) => lesson_list(&lessons, options.language),

@@ -38,8 +38,6 @@ pub struct ViewOptions {
 pub struct OpenMap {
     pub skybox: Skybox,
     pub lookup: Lookup,
-    /// Where the map is.
-    pub path: PathBuf,
     /// The map's file or folder name, for headings.
     pub name: String,
     /// The lookup as the user called it.
@@ -49,15 +47,15 @@ pub struct OpenMap {
 }
 
 impl MapOptions {
-    /// Opens the map and reads the lookup.
+    /// Opens the map, with faces of any size as in `check`, and reads the lookup.
     pub fn open(&self) -> Result<OpenMap> {
         let lookup = read_lookup(&self.lookup)?;
-        let skybox = Skybox::open(&self.map)?;
+        let skybox = Skybox::open_lenient(&self.map)?;
         let mut sources = skybox.files();
         sources.push(PathBuf::from(&self.lookup));
         let name =
             self.map.file_name().map_or_else(|| self.map.display().to_string(), |name| name.display().to_string());
-        Ok(OpenMap { skybox, lookup, path: self.map.clone(), name, lookup_name: self.lookup.clone(), sources })
+        Ok(OpenMap { skybox, lookup, name, lookup_name: self.lookup.clone(), sources })
     }
 }
 

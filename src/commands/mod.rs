@@ -11,6 +11,7 @@ mod interrupt;
 mod lessons;
 mod map_options;
 mod options;
+mod own_output;
 mod probe;
 mod progress_bar;
 mod render;

@@ -151,6 +151,23 @@ pub fn parse_duration(text: &str) -> std::result::Result<Duration, String> {
     time.map(Duration::from_secs_f64).ok_or_else(|| "expected a time such as 500ms, 10s, 2m or 1h".to_owned())
 }
 
+/// Three numbers between commas, and nothing else.
+pub fn parse_three<Number: FromStr>(text: &str) -> Option<[Number; 3]> {
+    let numbers: Option<Vec<Number>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
+    numbers?.try_into().ok()
+}
+
+/// An error if two faces of the lookup read one image: a file cannot be written for both.
+pub fn refuse_shared_images(lookup: &Lookup) -> Result<()> {
+    for (index, row) in lookup.rows().iter().enumerate() {
+        if lookup.rows()[..index].iter().any(|other| other.image == row.image) {
+            let problem = format!("two faces of the lookup read {}: it cannot hold both", row.image.name());
+            return Err(Error::new(problem).expected("a lookup whose faces read six different images"));
+        }
+    }
+    Ok(())
+}
+
 /// The lookup a name or a file stands for.
 pub fn read_lookup(name: &str) -> Result<Lookup> {
     if let Some(preset) = Preset::named(name) {

@@ -4,10 +4,11 @@ use clap::Args;
 
 use super::Outcome;
 use super::map_options::MapOptions;
+use super::options::parse_three;
 use crate::envmap::{CubeFilter, CubeMap, Face, Probe};
 use crate::error::Result;
 use crate::math::Vec3;
-use crate::report::ProbeReport;
+use crate::report::{ProbeReport, nothing_to_fix};
 
 #[derive(Debug, Args)]
 pub struct ProbeArguments {
@@ -45,16 +46,12 @@ pub fn run(arguments: &ProbeArguments) -> Result<Outcome> {
     super::print(format_args!("{before}"));
     match after {
         Some(after) => super::print(format_args!("\n{after}")),
-        None => super::print(format_args!("\nthe map fits under this lookup: nothing to fix\n")),
+        None => super::print(format_args!("\n{}\n", nothing_to_fix(&check))),
     }
     Ok(Outcome::Clean)
 }
 
 /// Three numbers; whether they make a direction is for [`Probe::new`] to say.
 fn parse_direction(text: &str) -> std::result::Result<Vec3, String> {
-    let numbers: Option<Vec<f32>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
-    match numbers.as_deref() {
-        Some(&[x, y, z]) => Ok(Vec3::new(x, y, z)),
-        _ => Err("expected three numbers, such as 0.3,-1,0.5".to_owned()),
-    }
+    parse_three(text).map(Vec3::from_array).ok_or_else(|| "expected three numbers, such as 0.3,-1,0.5".to_owned())
 }

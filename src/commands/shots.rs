@@ -7,14 +7,15 @@ use clap::Args;
 use super::Outcome;
 use super::interrupt;
 use super::map_options::{OpenMap, ViewOptions};
-use super::options::refuse_to_overwrite_sources;
+use super::options::{check_pixel_count, refuse_source_folder, refuse_to_overwrite_sources};
+use super::own_output::{refuse_pictures_of_others, refuse_rivals};
 use super::progress_bar::RenderBar;
 use crate::colour::ToneMap;
 use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis};
-use crate::error::{Error, Result};
-use crate::picture::{self, OutputFormat, Raster, WriteOptions, check_target, make_folder, write_together};
+use crate::error::Result;
+use crate::picture::{self, OutputFormat, Raster, WriteOptions, make_folder, write_together};
 use crate::render::{AxisShot, render};
-use crate::report::{CaptionedShot, Drawing, ShotsReport, draw_contact_sheet};
+use crate::report::{CaptionedShot, Drawing, ShotsReport, draw_contact_sheet, nothing_to_fix};
 use crate::scene::Plan;
 
 #[derive(Debug, Args)]
@@ -41,36 +42,35 @@ pub struct ShotsArguments {
 /// Renders, writes, and says how the camera stood.
 pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
     interrupt::watch();
+    let size = arguments.size as usize;
+    let pictures = if arguments.fixed { 12 } else { 6 };
+    check_pixel_count([pictures * size, size]).map_err(|error| error.at_key("--size"))?;
     let map = arguments.view.map.open()?;
     let (world_up, assumption) = arguments.view.world_up();
-    let fixed_lookup = if arguments.fixed {
-        let (_, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
-        (check.fix.changes > 0).then(|| check.fix.lookup(&map.lookup))
-    } else {
-        None
-    };
     let folder = &arguments.output;
-    let given = take(arguments, &map, map.lookup, &map.lookup_name, world_up, folder)?;
     let sheet_file = folder.join(CONTACT_SHEET);
-    refuse_to_overwrite_sources(&sheet_file, &map.sources)?;
-    let mut sheet = contact_sheet(&given, &map.name, arguments.tone_map);
-    let mut sets = vec![given];
-    if let Some(lookup) = fixed_lookup {
-        let name = format!("{}, fixed", map.lookup_name);
-        let fixed = take(arguments, &map, lookup, &name, world_up, &folder.join("fixed"))?;
-        sheet = sheet.beside(&contact_sheet(&fixed, &map.name, arguments.tone_map));
-        sets.push(fixed);
+    // Nothing is rendered before all targets are found free.
+    let mut plans = vec![ShotPlan::new(&map, map.lookup, map.lookup_name.clone(), folder, &sheet_file)?];
+    let mut without_fix = None;
+    if arguments.fixed {
+        let (_, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
+        if check.fix.changes > 0 {
+            let name = format!("{}, fixed", map.lookup_name);
+            plans.push(ShotPlan::new(&map, check.fix.lookup(&map.lookup), name, &folder.join("fixed"), &sheet_file)?);
+        } else {
+            without_fix = Some(nothing_to_fix(&check));
+        }
     }
-    write(arguments, &sets, &sheet, &sheet_file)?;
+    let sets: Vec<ShotSet> =
+        plans.into_iter().map(|plan| take(arguments, &map, plan, world_up)).collect::<Result<_>>()?;
+    write(arguments, &sets, &contact_sheets(&sets, &map.name, arguments.tone_map), &sheet_file)?;
     if let Some(assumption) = assumption {
         super::print(format_args!("{assumption}\n"));
     }
-    if arguments.fixed && fixed_lookup.is_none() {
-        super::print(format_args!("nothing to fix: one set of shots\n"));
+    if let Some(reason) = without_fix {
+        super::print(format_args!("{reason}; one set of shots\n"));
     }
-    for set in &sets {
-        super::print(format_args!("{}", set.report));
-    }
+    sets.iter().for_each(|set| super::print(format_args!("{}", set.report)));
     super::print(format_args!("\nwrote {}\n", sheet_file.display()));
     Ok(Outcome::Clean)
 }
@@ -83,47 +83,38 @@ fn side(text: &str) -> std::result::Result<u32, String> {
 
 const CONTACT_SHEET: &str = "contact-sheet.png";
 
-/// A folder with pictures named after faces, but no contact sheet of earlier shots, may hold a student's own shots.
-fn refuse_pictures_of_others(folder: &Path) -> Result<()> {
-    let outer = folder.parent().unwrap_or(folder);
-    if [folder, outer].iter().any(|folder| folder.join(CONTACT_SHEET).exists()) {
-        return Ok(());
-    }
-    let Ok(entries) = std::fs::read_dir(folder) else { return Ok(()) };
-    let is_shot = |path: &PathBuf| {
-        let stem = path.file_stem().unwrap_or_default();
-        path.is_file() && Face::ALL.iter().any(|face| stem.eq_ignore_ascii_case(face.name()))
-    };
-    match entries.flatten().map(|entry| entry.path()).filter(is_shot).min() {
-        Some(picture) => {
-            Err(Error::new("this picture is already there, and no contact sheet of earlier shots beside it")
-                .in_file(picture)
-                .help("it may be one of your own: name another folder with -o"))
-        }
-        None => Ok(()),
-    }
-}
-
-/// The shots through one lookup, and the files they go to.
-struct ShotSet {
-    report: ShotsReport,
-    rasters: Vec<Raster>,
-    folder: PathBuf,
+/// The shots that are to be taken through one lookup, and the files they go to.
+struct ShotPlan {
+    lookup: Lookup,
+    lookup_name: String,
     targets: Vec<PathBuf>,
 }
 
-/// Renders the shots through a lookup for a folder.
-fn take(
-    arguments: &ShotsArguments,
-    map: &OpenMap,
-    lookup: Lookup,
-    lookup_name: &str,
-    world_up: SignedAxis,
-    folder: &Path,
-) -> Result<ShotSet> {
-    picture::check_folder_target(folder)?;
-    let targets = targets(folder, map)?;
-    refuse_pictures_of_others(folder)?;
+impl ShotPlan {
+    /// A plan for a folder, with the contact sheet that goes with it. No target may be a picture of the map or of others.
+    fn new(map: &OpenMap, lookup: Lookup, lookup_name: String, folder: &Path, sheet: &Path) -> Result<Self> {
+        picture::check_folder_target(folder)?;
+        refuse_source_folder(&map.skybox, folder)?;
+        let targets: Vec<PathBuf> = Face::ALL.map(|face| folder.join(face.name()).with_extension("png")).into();
+        for target in targets.iter().map(PathBuf::as_path).chain([sheet]) {
+            refuse_to_overwrite_sources(target, &map.sources)?;
+        }
+        refuse_rivals(&targets)?;
+        refuse_pictures_of_others(&targets, sheet)?;
+        Ok(Self { lookup, lookup_name, targets })
+    }
+}
+
+/// The shots through one lookup.
+struct ShotSet {
+    report: ShotsReport,
+    rasters: Vec<Raster>,
+    targets: Vec<PathBuf>,
+}
+
+/// Renders the shots that are planned.
+fn take(arguments: &ShotsArguments, map: &OpenMap, plan: ShotPlan, world_up: SignedAxis) -> Result<ShotSet> {
+    let ShotPlan { lookup, lookup_name, targets } = plan;
     let shots = AxisShot::all(world_up);
     let samples = arguments.samples.unwrap_or_else(|| samples(map, arguments.size as usize));
     let rasters = render_shots(arguments, map, lookup, shots, samples)?;
@@ -131,35 +122,18 @@ fn take(
         shots,
         images: Face::ALL.map(|face| map.image_of(&lookup, face)),
         world_up,
-        lookup: lookup_name.to_owned(),
+        lookup: lookup_name,
         size: arguments.size as usize,
         samples,
         written: targets.iter().map(|target| target.display().to_string()).collect(),
     };
-    Ok(ShotSet { report, rasters, folder: folder.to_owned(), targets })
-}
-
-/// The files of six shots, none of which may be a picture of the map.
-fn targets(folder: &Path, map: &OpenMap) -> Result<Vec<PathBuf>> {
-    let targets: Vec<PathBuf> = Face::ALL.map(|face| folder.join(face.name()).with_extension("png")).into();
-    for target in &targets {
-        refuse_to_overwrite_sources(target, &map.sources)?;
-    }
-    if is_same_folder(folder, &map.path) {
-        return Err(Error::new("this folder holds the map: shots beside its images would make their names ambiguous")
-            .in_file(folder)
-            .help("choose another folder with -o"));
-    }
-    Ok(targets)
-}
-
-fn is_same_folder(one: &Path, other: &Path) -> bool {
-    one.canonicalize().is_ok_and(|one| other.canonicalize().is_ok_and(|other| one == other))
+    Ok(ShotSet { report, rasters, targets })
 }
 
 /// As many samples as texels fall into a pixel, at most 16.
 fn samples(map: &OpenMap, size: usize) -> u32 {
-    let texels = map.skybox.images[0].header().width.div_ceil(size) as u32;
+    let widest = map.skybox.images.iter().map(|image| image.header().width).max().unwrap_or(1);
+    let texels = widest.div_ceil(size) as u32;
     (texels * texels).min(16)
 }
 
@@ -181,10 +155,16 @@ fn render_shots(
     let mut rasters = Vec::new();
     for shot in shots {
         scene.camera = shot.camera(size);
-        rasters.push(render(&scene, &plan, &bar)?.raster);
+        rasters.push(render(&scene, &plan, &bar).inspect_err(|_| bar.finish())?.raster);
     }
     bar.finish();
     Ok(rasters)
+}
+
+/// The contact sheets of all sets side by side.
+fn contact_sheets(sets: &[ShotSet], map: &str, tone_map: ToneMap) -> Drawing {
+    let sheets = sets.iter().map(|set| contact_sheet(set, map, tone_map));
+    sheets.reduce(|left, right| left.beside(&right)).expect("there is at least one set")
 }
 
 fn contact_sheet(set: &ShotSet, map: &str, tone_map: ToneMap) -> Drawing {
@@ -199,14 +179,13 @@ fn contact_sheet(set: &ShotSet, map: &str, tone_map: ToneMap) -> Drawing {
 
 /// Writes all files or none.
 fn write(arguments: &ShotsArguments, sets: &[ShotSet], sheet: &Drawing, sheet_file: &Path) -> Result<()> {
-    for ShotSet { folder, targets, .. } in sets {
-        make_folder(folder)?;
-        targets.iter().try_for_each(|target| check_target(target))?;
-    }
     let options = WriteOptions { tone_map: arguments.tone_map, ..WriteOptions::default() };
     let mut files = vec![(sheet_file, sheet.encode()?)];
     for (target, raster) in sets.iter().flat_map(|set| set.targets.iter().zip(&set.rasters)) {
         files.push((target, picture::encode(raster, OutputFormat::of_path(target)?, &options)?));
+    }
+    for folder in files.iter().filter_map(|(target, _)| target.parent()) {
+        make_folder(folder)?;
     }
     write_together(files.iter().map(|(target, bytes)| (*target, bytes.as_slice())))
 }

@@ -7,16 +7,31 @@ use super::Lesson;
 use crate::error::{Error, Result};
 use crate::picture::{make_folder, write_if_absent};
 
-/// Copies the files of a lesson to a folder, which is made if missing, and gives their new places. Nothing is overwritten: if
+/// Copies the files of a lesson to a folder, which is made if missing, and gives their places. Nothing is overwritten: if
 /// another file has one of the names already, an error names it and nothing is copied. What a start that was stopped has
 /// copied is kept.
-pub fn start(lesson: &Lesson, folder: &Path) -> Result<Vec<PathBuf>> {
+pub fn start(lesson: &Lesson, folder: &Path) -> Result<Vec<Started>> {
     let copies: Vec<Copy> = lesson.files.iter().map(|file| Copy::read(lesson, file, folder)).collect::<Result<_>>()?;
     if let Some(copy) = copies.iter().find(|copy| copy.target.symlink_metadata().is_ok() && !copy.is_made()) {
         return Err(occupied(&copy.target));
     }
-    copies.iter().filter(|copy| !copy.is_made()).try_for_each(Copy::make)?;
-    Ok(copies.into_iter().map(|copy| copy.target).collect())
+    let mut started = Vec::new();
+    for copy in copies {
+        let was_there = copy.is_made();
+        if !was_there {
+            copy.make()?;
+        }
+        started.push(Started { file: copy.target, was_there });
+    }
+    Ok(started)
+}
+
+/// A file of a lesson in the student's folder.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Started {
+    pub file: PathBuf,
+    /// True if an earlier start had copied it, and it was left alone.
+    pub was_there: bool,
 }
 
 /// A file of a lesson and where it goes.

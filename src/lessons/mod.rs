@@ -5,7 +5,7 @@
 mod copy;
 mod lesson;
 
-pub use copy::start;
+pub use copy::{Started, start};
 pub use lesson::{Bilingual, Language, Lesson};
 
 use std::path::{Path, PathBuf};

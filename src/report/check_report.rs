@@ -15,6 +15,7 @@
 
 use std::fmt;
 
+use super::rounded::rounded;
 use crate::envmap::{Laying, Lookup};
 use crate::validate::{Check, FaceFix, Seam, Verdict};
 
@@ -36,17 +37,16 @@ impl<'a> CheckReport<'a> {
 
     /// The report in one line: verdict, and what to do.
     pub fn line(&self) -> String {
-        let Check { verdict, fix, .. } = self.check;
-        let what = match (verdict, fix.convention) {
-            (Verdict::Broken, Some(convention)) => format!(": {convention}"),
-            (Verdict::Broken, None) if fix.changes > 0 => {
-                let changed = self.changed().map(|face| self.change(face)).collect::<Vec<_>>();
-                format!(": {}", changed.join("; "))
-            }
-            (Verdict::Broken, None) => self.check.notes.first().map_or(String::new(), |note| format!(": {note}")),
-            _ => String::new(),
+        let Check { verdict, fix, foreign, notes, .. } = self.check;
+        let mut what = match fix.convention {
+            _ if *verdict != Verdict::Broken => Vec::new(),
+            Some(convention) => vec![convention.to_string()],
+            None => self.changed().map(|face| self.change(face)).collect(),
         };
-        format!("{}: {}{what}", self.map, verdict.name())
+        // The first notes are those on faces that do not belong, which no change mends.
+        what.extend(notes.iter().take(foreign.len()).map(ToString::to_string));
+        let separator = if what.is_empty() { "" } else { ": " };
+        format!("{}: {}{separator}{}", self.map, verdict.name(), what.join("; "))
     }
 
     fn changed(&self) -> impl Iterator<Item = &FaceFix> {
@@ -197,12 +197,6 @@ fn seams(seams: &[Seam]) -> Vec<JsonSeam> {
     seams.iter().map(seam).collect()
 }
 
-/// A number with so many decimals.
-fn rounded(number: f64, decimals: i32) -> f64 {
-    let scale = [1.0, 10.0, 100.0, 1000.0][decimals as usize];
-    (number * scale).round() / scale
-}
-
 /// The ways to turn and mirror a cube.
 const TURNS_OF_A_CUBE: usize = 48;
 
@@ -284,7 +278,8 @@ impl CheckReport<'_> {
         writeln!(formatter, "    in the code: case {}: {}", fix.face.constant_name(), code.join(" "))?;
         let mut file_change = Vec::new();
         if fix.image != check.lookup.row(fix.face).image {
-            file_change.push(format!("read {file} as {}", fix.face.name()));
+            // The file takes the name that the lookup reads for this face.
+            file_change.push(format!("read {file} as {}", check.lookup.row(fix.face).image.name()));
         }
         if fix.laying != Laying::IDENTITY {
             file_change.push(fix.laying.image_operation(check.lookup.v_origin()).name().to_owned());

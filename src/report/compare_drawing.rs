@@ -14,8 +14,10 @@ const MARGIN: usize = 16;
 const CAPTION: usize = 34;
 /// The legend of the heat map: bar and numbers.
 const LEGEND: usize = 52;
-/// Pictures narrower than this are enlarged by a whole factor.
+/// Pictures narrower than this are enlarged by a whole factor,
 const NARROWEST: usize = 200;
+/// unless that makes them higher than this.
+const HIGHEST: usize = 4000;
 
 /// Draws the pictures as they are and, if anything was undone, once more with it undone. The worst region is framed in
 /// the last row.
@@ -35,10 +37,10 @@ pub fn draw_comparison(comparison: &Comparison) -> Drawing {
 }
 
 fn draw_row(view: &View, name: &str, framed: Option<Region>) -> Drawing {
-    let factor = NARROWEST.div_ceil(view.mine.width().max(1)).max(1);
-    let pictures =
-        [displayed(&view.mine, ToneMap::Clamp), displayed(&view.expected, ToneMap::Clamp), heat_map(&view.flip)]
-            .map(|picture| enlarged(picture, factor));
+    let factor = enlargement(view.mine.width(), view.mine.height());
+    let [mine, expected] =
+        [&view.mine, &view.expected].map(|raster| displayed(&raster.enlarged(factor), ToneMap::Clamp));
+    let pictures = [mine, expected, heat_map(&view.flip.enlarged(factor))];
     let (width, height) = (pictures[0].width() as usize, pictures[0].height() as usize);
     let mut pixmap = blank(3 * width + 4 * MARGIN, height + CAPTION + MARGIN / 2, ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), 1.0);
@@ -52,6 +54,11 @@ fn draw_row(view: &View, name: &str, framed: Option<Region>) -> Drawing {
         }
     }
     Drawing(pixmap)
+}
+
+/// The whole factor by which a picture is drawn larger than it is.
+fn enlargement(width: usize, height: usize) -> usize {
+    NARROWEST.div_ceil(width.max(1)).min(HIGHEST / height.max(1)).max(1)
 }
 
 /// A light frame with a dark rim around a region.
@@ -97,15 +104,15 @@ fn heat_map(plane: &Plane) -> Pixmap {
     Pixmap::from_vec(magma_bytes(plane.values()), size).expect("four bytes a pixel")
 }
 
-/// Every pixel as a square of `factor` pixels.
-fn enlarged(picture: Pixmap, factor: usize) -> Pixmap {
-    if factor == 1 {
-        return picture;
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn narrow_pictures_are_enlarged_and_high_ones_are_not_made_endless() {
+        assert_eq!(
+            [(8, 5), (200, 100), (1, 2000), (1, 9000)].map(|(width, height)| enlargement(width, height)),
+            [25, 1, 2, 1]
+        );
     }
-    let (width, height) = (picture.width() as usize * factor, picture.height() as usize * factor);
-    let bytes = picture.data();
-    let source = |index: usize| (index / width / factor * picture.width() as usize + index % width / factor) * 4;
-    let enlarged = (0..width * height).flat_map(|index| bytes[source(index)..source(index) + 4].iter().copied());
-    let size = IntSize::from_wh(width as u32, height as u32).expect("a picture has pixels");
-    Pixmap::from_vec(enlarged.collect(), size).expect("four bytes a pixel")
 }

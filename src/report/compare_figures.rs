@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::compare_report::rounded;
+use super::rounded::rounded;
 use crate::study::comparison::{Curve, Evidence, Finding, Partial, Region};
 
 /// The figures of a finding.

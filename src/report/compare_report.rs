@@ -19,6 +19,7 @@ use serde_json::Value;
 
 use super::compare_figures::figures;
 use super::compare_sentences::{kind, sentence};
+use super::rounded::rounded;
 use crate::picture::Header;
 use crate::study::comparison::{Comparison, Finding, Region, Verdict};
 use crate::study::metrics::Metrics;
@@ -262,9 +263,4 @@ fn measures(metrics: &Metrics) -> JsonMetrics {
 /// A number for JSON, null if it is not finite.
 fn number(value: f64, digits: i32) -> Option<f64> {
     value.is_finite().then(|| rounded(value, digits))
-}
-
-pub(super) fn rounded(value: f64, digits: i32) -> f64 {
-    let scale = 10f64.powi(digits);
-    (value * scale).round() / scale
 }

@@ -1,6 +1,6 @@
 //! The findings of a comparison in plain sentences.
 
-use super::compare_report::rounded;
+use super::rounded::rounded;
 use crate::envmap::ImageOperation;
 use crate::study::comparison::{Curve, Evidence, Finding, Partial, Region};
 

@@ -2,6 +2,7 @@
 
 use serde::Serialize;
 
+use super::rounded::rounded;
 use crate::envmap::{Face, Laying};
 use crate::validate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
 
@@ -80,7 +81,7 @@ impl<'a> Json<'a> {
                 fault: fault_name(grade.camera),
                 image_operation: screen_operation(grade.camera.laying).name(),
                 // A tenth of a degree is more than can be known.
-                field_of_view: grade.field_of_view.map_or(90.0, |angle| (angle * 10.0).round() / 10.0),
+                field_of_view: grade.field_of_view.map_or(90.0, |angle| rounded(angle, 1)),
                 axes: grade.camera.axes.map(|axis| axis.to_string()),
             },
             undivided: grade.undivided,

@@ -1,8 +1,8 @@
 //! What `skycube lessons` says.
 
-use std::path::PathBuf;
+use std::path::Path;
 
-use crate::lessons::{Language, Lesson};
+use crate::lessons::{Language, Lesson, Started};
 
 /// All lessons, a line each: number, title, what it needs.
 pub fn lesson_list(lessons: &[Lesson], language: Language) -> String {
@@ -45,8 +45,15 @@ pub fn lesson_page(lesson: &Lesson, language: Language) -> String {
 }
 
 /// What was copied, and what to do next.
-pub fn lesson_started(lesson: &Lesson, written: &[PathBuf], folder: &std::path::Path, language: Language) -> String {
-    let lines: String = written.iter().map(|file| format!("wrote {}\n", file.display())).collect();
+pub fn lesson_started(lesson: &Lesson, started: &[Started], folder: &Path, language: Language) -> String {
+    let already = match language {
+        Language::En => "already there:",
+        Language::Cs => "už tam je:",
+    };
+    let line = |Started { file, was_there }: &Started| {
+        format!("{} {}\n", if *was_there { already } else { "wrote" }, file.display())
+    };
+    let lines: String = started.iter().map(line).collect();
     let folder = folder.display();
     let readme = lesson.readme(language);
     let readme = readme.file_name().unwrap_or_default().display().to_string();

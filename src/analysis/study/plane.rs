@@ -49,6 +49,13 @@ impl Plane {
         self.values[y * self.width + x]
     }
 
+    /// Every value as a square of `factor` values.
+    pub fn enlarged(&self, factor: usize) -> Self {
+        let (width, height) = (self.width * factor, self.height * factor);
+        let value = |index: usize| self.at(index % width / factor, index / width / factor);
+        Self::new(width, height, (0..width * height).map(value).collect())
+    }
+
     /// The mean of all values.
     pub fn mean(&self) -> f64 {
         self.values.iter().map(|&value| f64::from(value)).sum::<f64>() / self.values.len() as f64

@@ -34,6 +34,15 @@ pub(super) fn find_faces(paths: &[String]) -> Result<Located> {
     }
 }
 
+/// True if the files of one directory, by their names, are those of more than three faces.
+pub(super) fn names_most_faces(names: &[String]) -> bool {
+    let faces: Vec<&str> = names.iter().filter(|name| !is_passed_over(name)).map(String::as_str).collect();
+    match selection::select(&faces) {
+        Selection::Unclear(found) => found.iter().filter(|files| !files.is_empty()).count() > 3,
+        _ => true,
+    }
+}
+
 /// The directories that hold files which may be faces, in the order of their names.
 fn directories(paths: &[String]) -> Vec<Directory<'_>> {
     let directory = |&file: &usize| split(&paths[file]).0;

@@ -145,6 +145,14 @@ fn open_picture(path: &Path) -> Result<Skybox> {
     Ok(Skybox { images, layout: sheet.layout(), passed_over: Vec::new() })
 }
 
+/// True if a folder is meant as a map, readable or not: most of the faces have a file of their name in it, its
+/// subfolders apart.
+pub fn is_meant_as_map(folder: &Path) -> bool {
+    let paths = folder::list(folder).unwrap_or_default();
+    let own: Vec<String> = paths.into_iter().filter(|path| !path.contains('/')).collect();
+    listing::names_most_faces(&own)
+}
+
 /// Six images by their place in [`Face::ALL`]. One error names all that cannot be read.
 fn images(open: impl Fn(usize) -> Result<FaceImage>) -> Result<[FaceImage; 6]> {
     let mut images = Vec::new();
