@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::Verdict;
 use super::border::Borders;
 use super::check::{Check, CheckOptions};
 use super::edge::{Border, Edge, Side};
@@ -145,7 +146,7 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
 /// Seams that are rough although the map fits, or would once it is fixed.
 fn rough(check: &Check, notes: &mut Vec<Note>) {
     const ROUGH: f64 = 3.0;
-    if !check.foreign.is_empty() {
+    if !check.foreign.is_empty() || check.verdict == Verdict::Undecidable {
         return;
     }
     let rough: Vec<f64> =
