@@ -89,7 +89,8 @@ impl Question<'_> {
         if arrangement == self.given() || (related && solution.tells(&self.given())) {
             return Ok(self.keeping_undecided(solution));
         }
-        self.solution(self.given(), None, None, solution.equivalents)
+        let solution = self.solution(self.given(), None, None, solution.equivalents)?;
+        Ok(Solution { unsettled: !self.puzzle.ties(&best, &self.given()), ..solution })
     }
 
     fn foreign(&self, arrangement: &Arrangement) -> Result<Option<(Foreign, Arrangement)>> {
