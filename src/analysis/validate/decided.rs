@@ -27,19 +27,18 @@ impl Question<'_> {
     }
 
     /// By face the number of other layings that are decisively worse or show the same picture, and the standard errors by which the best of
-    /// all those is worse. The seams of a face that does not belong tell nothing, in whatever laying.
-    pub fn alternatives(&self, found: &Arrangement, foreign: Option<Face>) -> Result<([usize; 6], f64)> {
+    /// all those is worse. The seams of images that do not belong tell nothing, in whatever laying.
+    pub fn alternatives(&self, found: &Arrangement, strangers: &[Face]) -> Result<([usize; 6], f64)> {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
-        let without = foreign.map(|face| found.images[face.index()]);
-        for face in Face::ALL.into_iter().filter(|&face| foreign != Some(face)) {
-            let others = if foreign.is_some() { relaid(found, face) } else { self.others(found, face) };
+        for face in Face::ALL.into_iter().filter(|face| !strangers.contains(&found.images[face.index()])) {
+            let others = if strangers.is_empty() { self.others(found, face) } else { relaid(found, face) };
             for other in others {
-                let comparison = self.puzzle.compare_without(found, &other, without);
+                let comparison = self.puzzle.compare_without(found, &other, strangers);
                 if comparison.is_decisive() {
                     excluded[face.index()] += 1;
                     margin = margin.min(comparison.standard_errors());
-                } else if foreign.is_none() && self.shows_the_same(found, &other, face)? {
+                } else if strangers.is_empty() && self.shows_the_same(found, &other, face)? {
                     excluded[face.index()] += 1;
                 }
             }

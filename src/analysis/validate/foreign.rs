@@ -96,6 +96,34 @@ pub fn gapes(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face:
         && agreement(puzzle, arrangement, face) < KINDRED
 }
 
+/// The images that must not tell how the others lie where `stranger` does not belong: itself, and all others that are
+/// strangers or copies as well.
+pub fn strangers(
+    map: &CubeMap,
+    puzzle: &Puzzle,
+    images: &Borders,
+    arrangement: &Arrangement,
+    stranger: Face,
+) -> Result<Vec<Face>> {
+    let mut strangers = vec![arrangement.images[stranger.index()]];
+    for face in Face::ALL.into_iter().filter(|&face| face != stranger) {
+        let image = arrangement.images[face.index()];
+        let strange = match copy_of(map, images, image)? {
+            Some(other) => {
+                let original = Face::ALL.into_iter().find(|face| arrangement.images[face.index()] == other);
+                fit_without(puzzle, arrangement, face, original) >= STRANGER_COPY
+            }
+            None => {
+                best_laid(puzzle, arrangement, face).1 >= STRANGER && agreement(puzzle, arrangement, face) < KINDRED
+            }
+        };
+        if strange {
+            strangers.push(image);
+        }
+    }
+    Ok(strangers)
+}
+
 /// A face with the texels of another that sees them in its place: its own seams gape where those of the original close. In a
 /// picture of the world two faces never hold the same detail; in a drawn one they may, and then all seams close.
 fn copied(
