@@ -169,7 +169,7 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
     let sky = if options.world_up.is_some() { sky::hint(map, &borders, &puzzle)? } else { None };
     let question = Question { map, images: &borders, puzzle: &puzzle, lookup: &lookup, options, quake_names, sky };
-    let solution = question.solve()?;
+    let (solution, turn) = question.solve_and_turn()?;
 
     let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
     let found = solution.arrangement;
@@ -188,7 +188,7 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
         mirrored: mirrored_faces(&lookup),
         notes: Vec::new(),
     };
-    check.notes = notes::collect(&check, &borders, options, sky);
+    check.notes = notes::collect(&check, &borders, options, sky.map(|[sky, _]| (sky, turn)));
     Ok(check)
 }
 

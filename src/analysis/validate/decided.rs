@@ -1,12 +1,25 @@
 //! What the pixels decide, face by face, and the rule that follows: a face that is not decided is not changed.
 
 use super::arrangement::Arrangement;
+use super::convention::Convention;
 use super::search::{Freedom, cheapest};
 use super::solve::{Question, Solution};
 use crate::envmap::{Face, Laying};
 use crate::error::Result;
 
 impl Question<'_> {
+    /// The solution, and the convention that would turn the sky to where the user says it is. Where the sky lies is a
+    /// hint: if the pixels alone ask for no change, it asks for none either.
+    pub fn solve_and_turn(&self) -> Result<(Solution, Option<Convention>)> {
+        let solution = self.solve()?;
+        if self.sky.is_none() || solution.arrangement == self.given() || solution.foreign.is_some() {
+            return Ok((solution, None));
+        }
+        let plain = Question { sky: None, ..*self }.solve()?;
+        let stays = plain.arrangement == self.given() && plain.foreign.is_none();
+        Ok(if stays { (plain, solution.convention) } else { (solution, None) })
+    }
+
     /// The solution with every face laid as it was that is not decided: a guess is no fix. What the pixels decide of the
     /// other faces stands, since it holds whatever this one does. Where a convention explains all six,
     /// a face follows the other five. If nothing remains to be changed although something better was found, the
