@@ -87,6 +87,20 @@ fn the_exercise_is_corrected_on_a_download() {
 }
 
 #[test]
+fn where_the_sky_lies_does_not_break_a_map_that_fits() {
+    let courtyard = compass().with_file_name("courtyard");
+    for up in [SignedAxis::POS_X, SignedAxis::POS_Y, SignedAxis::NEG_Z, SignedAxis::POS_Z] {
+        let check = checked(&courtyard, Preset::Opengl, Some(up));
+        assert_eq!((check.verdict, check.fix.changes), (Verdict::Fits, 0), "{up}");
+        let notes: Vec<String> = check.notes.iter().map(ToString::to_string).collect();
+        let (there, elsewhere) = (format!("at the declared up axis {up}"), "which is not at the declared up axis");
+        let said =
+            notes.iter().any(|note| note.contains(&there) && note.contains(elsewhere) != (up == SignedAxis::POS_Y));
+        assert!(said, "{up}: {notes:?}");
+    }
+}
+
+#[test]
 fn right_maps_fit() {
     let compass = checked(&compass(), Preset::Opengl, None);
     assert_eq!((compass.verdict, compass.fix.changes), (Verdict::Fits, 0));

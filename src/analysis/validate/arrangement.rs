@@ -61,11 +61,11 @@ impl Puzzle {
     /// the sum of the differences is put in relation to the root of the sum of their squares: a number
     /// of standard errors that no single outlier can make large (de la Pena, Lai, Shao: "Self-Normalized Processes", 2009).
     pub fn compare(&self, better: &Arrangement, worse: &Arrangement) -> Comparison {
-        self.compare_without(better, worse, None)
+        self.compare_without(better, worse, &[])
     }
 
-    /// The comparison without the seams of one image.
-    pub fn compare_without(&self, better: &Arrangement, worse: &Arrangement, without: Option<Face>) -> Comparison {
+    /// The comparison without the seams of some images.
+    pub fn compare_without(&self, better: &Arrangement, worse: &Arrangement, without: &[Face]) -> Comparison {
         let mut first = [None; 24];
         let mut second = [None; 24];
         for edge in 0..12 {
@@ -80,7 +80,7 @@ impl Puzzle {
             }
         }
         let mut comparison = Comparison::default();
-        let skipped = |side: usize| without.is_some_and(|image| side / 4 == image.index());
+        let skipped = |side: usize| without.iter().any(|image| side / 4 == image.index());
         for (side, (first, second)) in first.iter().zip(&second).enumerate() {
             let (Some(first), Some(second)) = (first, second) else { continue };
             let ((one, alike, units, correlation), (other, other_alike, others, other_correlation)) = (first, second);

@@ -1,10 +1,10 @@
-//! Reading the borders of the six images: the only texels that are looked at.
+//! Reading the borders of the six images: the only texels that seams and layings are judged by.
 //!
 //! ```text
 //!     side ->  0 1 2 3 4 ...            rows parallel to the side, counted inwards:
-//!     0        . . . . . . . .          0, 1, 2  the outermost three (1, 2, 3 inside a frame)
-//!     1        . . . . . . . .          h, 2h    deeper ones, for the slope towards the side
-//!     2        . . . . . . . .
+//!     0        . . . . . . . .          0 to 3        the outermost four: three are used, 1 to 3 inside a frame
+//!     1        . . . . . . . .          h + 1, 2h + 1 deeper ones, for the slope towards the side
+//!     2        . . . . . . . .          7, 8          of JPEG files: both sides of the first block boundary
 //! ```
 
 use super::display::{Display, is_radiance};
@@ -26,7 +26,7 @@ pub type Row = Vec<[f32; 3]>;
 pub struct BorderRows {
     /// The outermost four, the side itself first.
     pub outer: [Row; 4],
-    /// Rows at the depths h and 2h.
+    /// Rows at the depths h + 1 and 2h + 1: h and 2h inside a frame.
     pub deep: [Row; 2],
     /// The rows on both sides of the first block boundary of a JPEG file: a seam lies between two blocks too.
     pub blocks: Option<[Row; 2]>,
@@ -41,7 +41,7 @@ pub struct ImageBorders {
     pub texels: usize,
     /// True if the outermost row is a frame around the picture.
     pub framed: bool,
-    /// h, the depth of the first deep row in texels.
+    /// h, the distance of the two deep rows in texels.
     pub depth: usize,
     /// How the colours were encoded, the same for all six.
     pub display: Display,

@@ -1,10 +1,10 @@
 //! The check of one map, from its pictures to the verdict.
 
 use super::arrangement::{Arrangement, Puzzle};
-use super::border::read_borders;
+use super::border::{Borders, read_borders};
 use super::convention::{self, Convention};
 use super::edge::EdgeBorders;
-use super::foreign::Foreign;
+use super::foreign::{self, Foreign};
 use super::handedness::mirrored_faces;
 use super::notes::{self, Note};
 use super::pair_cost::PairCosts;
@@ -169,7 +169,7 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
     let sky = if options.world_up.is_some() { sky::hint(map, &borders, &puzzle)? } else { None };
     let question = Question { map, images: &borders, puzzle: &puzzle, lookup: &lookup, options, quake_names, sky };
-    let solution = question.solve()?;
+    let (solution, turn) = question.solve_and_turn()?;
 
     let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
     let found = solution.arrangement;
@@ -181,14 +181,14 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
         images,
         lookup,
         lookup_name: options.lookup_name.clone(),
-        verdict: verdict(&puzzle, &solution, &given, &foreign),
+        verdict: verdict(&puzzle, &borders, &solution, &given),
         seams: seams(&given),
         fix,
         foreign,
         mirrored: mirrored_faces(&lookup),
         notes: Vec::new(),
     };
-    check.notes = notes::collect(&check, &borders, options, sky);
+    check.notes = notes::collect(&check, &borders, options, sky.map(|[sky, _]| (sky, turn)));
     Ok(check)
 }
 
@@ -215,15 +215,14 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
 }
 
 /// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels of at least half of
-/// the faces tell most layings from the one found, and what is found looks like a map at all.
-fn verdict(puzzle: &Puzzle, solution: &Solution, given: &Arrangement, foreign: &[Foreign]) -> Verdict {
+/// the faces tell most layings from the one found, what is found looks like a map at all, and no face gapes.
+fn verdict(puzzle: &Puzzle, borders: &Borders, solution: &Solution, given: &Arrangement) -> Verdict {
     let found = &solution.arrangement;
-    if found != given || !foreign.is_empty() {
+    if found != given || solution.foreign.is_some() {
         return Verdict::Broken;
     }
-    if solution.unsettled {
-        return Verdict::Undecidable;
-    }
     let related = puzzle.mean_fit(found) < UNRELATED;
-    if related && solution.telling_faces() >= 3 { Verdict::Fits } else { Verdict::Undecidable }
+    let gapes = |&face: &Face| foreign::gapes(puzzle, borders, found, face);
+    let tells = related && solution.telling_faces() >= 3 && !Face::ALL.iter().any(gapes);
+    if tells && !solution.unsettled { Verdict::Fits } else { Verdict::Undecidable }
 }

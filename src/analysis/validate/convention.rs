@@ -101,7 +101,7 @@ pub fn candidates(lookup: &Lookup, quake_names: bool) -> Vec<(Convention, Arrang
 
 /// True if files are named by words (`front`, `left`, ...) or as Quake does (`ft`, `lf`, ...).
 pub fn has_quake_names<'a>(files: impl Iterator<Item = &'a str>) -> bool {
-    const NAMES: [&str; 12] = ["front", "back", "left", "right", "ft", "bk", "lf", "rt", "_f", "_b", "_l", "_r"];
+    const NAMES: [&str; 8] = ["front", "back", "left", "right", "ft", "bk", "lf", "rt"];
     let named = |file: &str| {
         let name = file.rsplit('/').next().unwrap_or(file).to_ascii_lowercase();
         let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem).to_owned();

@@ -1,12 +1,25 @@
 //! What the pixels decide, face by face, and the rule that follows: a face that is not decided is not changed.
 
 use super::arrangement::Arrangement;
+use super::convention::Convention;
 use super::search::{Freedom, cheapest};
 use super::solve::{Question, Solution};
 use crate::envmap::{Face, Laying};
 use crate::error::Result;
 
 impl Question<'_> {
+    /// The solution, and the convention that would turn the sky to where the user says it is. Where the sky lies is a
+    /// hint: if the pixels alone ask for no change, it asks for none either.
+    pub fn solve_and_turn(&self) -> Result<(Solution, Option<Convention>)> {
+        let solution = self.solve()?;
+        if self.sky.is_none() || solution.arrangement == self.given() || solution.foreign.is_some() {
+            return Ok((solution, None));
+        }
+        let plain = Question { sky: None, ..*self }.solve()?;
+        let stays = plain.arrangement == self.given() && plain.foreign.is_none();
+        Ok(if stays { (plain, solution.convention) } else { (solution, None) })
+    }
+
     /// The solution with every face laid as it was that is not decided: a guess is no fix. What the pixels decide of the
     /// other faces stands, since it holds whatever this one does. Where a convention explains all six,
     /// a face follows the other five. If nothing remains to be changed although something better was found, the
@@ -27,19 +40,18 @@ impl Question<'_> {
     }
 
     /// By face the number of other layings that are decisively worse or show the same picture, and the standard errors by which the best of
-    /// all those is worse. The seams of a face that does not belong tell nothing, in whatever laying.
-    pub fn alternatives(&self, found: &Arrangement, foreign: Option<Face>) -> Result<([usize; 6], f64)> {
+    /// all those is worse. The seams of images that do not belong tell nothing, in whatever laying.
+    pub fn alternatives(&self, found: &Arrangement, strangers: &[Face]) -> Result<([usize; 6], f64)> {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
-        let without = foreign.map(|face| found.images[face.index()]);
-        for face in Face::ALL.into_iter().filter(|&face| foreign != Some(face)) {
-            let others = if foreign.is_some() { relaid(found, face) } else { self.others(found, face) };
+        for face in Face::ALL.into_iter().filter(|face| !strangers.contains(&found.images[face.index()])) {
+            let others = if strangers.is_empty() { self.others(found, face) } else { relaid(found, face) };
             for other in others {
-                let comparison = self.puzzle.compare_without(found, &other, without);
+                let comparison = self.puzzle.compare_without(found, &other, strangers);
                 if comparison.is_decisive() {
                     excluded[face.index()] += 1;
                     margin = margin.min(comparison.standard_errors());
-                } else if foreign.is_none() && self.shows_the_same(found, &other, face)? {
+                } else if strangers.is_empty() && self.shows_the_same(found, &other, face)? {
                     excluded[face.index()] += 1;
                 }
             }

@@ -18,8 +18,9 @@ const STRONG_LOSS: f64 = 0.12;
 
 /// Coarse ground under strong compression: neither the costs nor the patterns along the borders decide alone, but both point
 /// the same way. Logarithms of likelihood of the two together: of n standard errors n^2 / 2, and the agreement. Each
-/// must tell something. A clear sky whose turned faces were stored at JPEG quality 50 gives a wrong laying by chance from
-/// 0.9 standard errors and a difference of patterns that are much alike.
+/// must tell something. A clear sky whose turned faces were stored at JPEG quality 50 reaches 0.9 standard errors for a wrong
+/// laying by chance, so the least number of them protects from little: what protects is the agreement, which counts only
+/// what two patterns do not have in common ([`super::agreement`]), and the sum of both.
 const TOGETHER: f64 = 5.5;
 const SOME_AGREEMENT: f64 = 3.0;
 const SOME_STANDARD_ERRORS: f64 = 0.5;

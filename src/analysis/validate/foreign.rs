@@ -3,7 +3,7 @@
 use super::arrangement::{Arrangement, Puzzle};
 use super::border::Borders;
 use super::edge::Edge;
-use super::seam::measure;
+use super::seam::{UNDECIDED_SEAM, measure};
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
 
@@ -83,6 +83,45 @@ pub fn find(
         Reason::CopyOf(_) => true,
     };
     Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
+}
+
+/// True if at least three of a face's seams go as well with most other borders, are seen, and neither their patterns nor
+/// those in any other laying say that it belongs here all the same: it may be of another scene. So may a face beside it
+/// whose seam with it closes: then nobody can say which. A face in grey or exposed otherwise keeps its patterns.
+pub fn gapes(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching.filter(|&edge| puzzle.fit(arrangement, edge) > UNDECIDED_SEAM).count() >= 3
+        && mean_score(puzzle, images, arrangement, face) >= VISIBLE
+        && pattern_cost(puzzle, arrangement, face) >= ANOTHER_PATTERN
+        && agreement(puzzle, arrangement, face) < KINDRED
+}
+
+/// The images that must not tell how the others lie where `stranger` does not belong: itself, and all others that are
+/// strangers or copies as well.
+pub fn strangers(
+    map: &CubeMap,
+    puzzle: &Puzzle,
+    images: &Borders,
+    arrangement: &Arrangement,
+    stranger: Face,
+) -> Result<Vec<Face>> {
+    let mut strangers = vec![arrangement.images[stranger.index()]];
+    for face in Face::ALL.into_iter().filter(|&face| face != stranger) {
+        let image = arrangement.images[face.index()];
+        let strange = match copy_of(map, images, image)? {
+            Some(other) => {
+                let original = Face::ALL.into_iter().find(|face| arrangement.images[face.index()] == other);
+                fit_without(puzzle, arrangement, face, original) >= STRANGER_COPY
+            }
+            None => {
+                best_laid(puzzle, arrangement, face).1 >= STRANGER && agreement(puzzle, arrangement, face) < KINDRED
+            }
+        };
+        if strange {
+            strangers.push(image);
+        }
+    }
+    Ok(strangers)
 }
 
 /// A face with the texels of another that sees them in its place: its own seams gape where those of the original close. In a

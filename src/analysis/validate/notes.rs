@@ -2,8 +2,10 @@
 
 use std::fmt;
 
+use super::Verdict;
 use super::border::Borders;
 use super::check::{Check, CheckOptions};
+use super::convention::Convention;
 use super::edge::{Border, Edge, Side};
 use super::foreign::Reason;
 use super::handedness::mirrored_faces;
@@ -62,11 +64,19 @@ pub enum Note {
         sky: Face,
         up: SignedAxis,
         there: bool,
+        after_the_fix: bool,
+        /// What would turn a map that fits so that its sky lies there.
+        turn: Option<Convention>,
     },
 }
 
 /// All remarks in the order of the report.
-pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Option<[Face; 2]>) -> Vec<Note> {
+pub fn collect(
+    check: &Check,
+    borders: &Borders,
+    options: &CheckOptions,
+    sky: Option<(Face, Option<Convention>)>,
+) -> Vec<Note> {
     let mut notes = Vec::new();
     for foreign in &check.foreign {
         let image = check.fix.faces[foreign.face.index()].image;
@@ -84,10 +94,10 @@ pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Op
     if !check.mirrored.is_empty() || !after.is_empty() {
         notes.push(Note::Mirrored { faces: check.mirrored.clone(), after, changes: check.fix.changes > 0 });
     }
-    if let (Some(up), Some([sky, _])) = (options.world_up, sky) {
+    if let (Some(up), Some((sky, turn))) = (options.world_up, sky) {
         let top = Face::on_axis(usize::from(up.axis), !up.negative);
         let there = check.fix.faces[top.index()].image == sky;
-        notes.push(Note::Sky { sky, up, there });
+        notes.push(Note::Sky { sky, up, there, after_the_fix: check.fix.changes > 0, turn });
     }
     notes
 }
@@ -145,7 +155,7 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
 /// Seams that are rough although the map fits, or would once it is fixed.
 fn rough(check: &Check, notes: &mut Vec<Note>) {
     const ROUGH: f64 = 3.0;
-    if !check.foreign.is_empty() {
+    if !check.foreign.is_empty() || check.verdict == Verdict::Undecidable {
         return;
     }
     let rough: Vec<f64> =
@@ -202,7 +212,10 @@ impl fmt::Display for Note {
             Self::Mirrored { faces, after, changes } => {
                 formatter.write_str(&mirrored(faces, after, *changes && faces != after))
             }
-            Self::Sky { sky, up, there } => formatter.write_str(&sky_place(*sky, *up, *there)),
+            Self::Sky { sky, up, there, after_the_fix, turn } => {
+                formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))?;
+                turn.map_or(Ok(()), |turn| write!(formatter, "; there it would be with {turn}"))
+            }
         }
     }
 }
@@ -238,10 +251,13 @@ fn mirrored(now: &[Face], after: &[Face], changes: bool) -> String {
     )
 }
 
-fn sky_place(sky: Face, up: SignedAxis, there: bool) -> String {
+fn sky_place(sky: Face, up: SignedAxis, there: bool, after_the_fix: bool) -> String {
     let sky = sky.name();
+    let when = if after_the_fix { " after the fix" } else { "" };
     if there {
-        return format!("the sky seems to be {sky}: at the declared up axis {up}");
+        return format!("the sky seems to be {sky}: at the declared up axis {up}{when}");
     }
-    format!("the sky seems to be {sky}, which is not at the declared up axis {up} (a hint from brightness and detail)")
+    format!(
+        "the sky seems to be {sky}, which is not at the declared up axis {up}{when} (a hint from brightness and detail)"
+    )
 }

@@ -19,6 +19,9 @@ pub struct Seam {
     pub verdict: Verdict,
 }
 
+/// The fit of a seam from which on its borders go as well with most others.
+pub const UNDECIDED_SEAM: f64 = 0.85;
+
 /// Detail below half a code is that of rounding.
 const LEAST_DETAIL: f64 = 0.5;
 
@@ -65,7 +68,7 @@ pub fn seams(
         });
         seam.verdict = if at_foreign || cost > 1.3 * mended + 4.0 {
             Verdict::Broken
-        } else if puzzle.fit(arrangement, edge) > 0.85 {
+        } else if puzzle.fit(arrangement, edge) > UNDECIDED_SEAM {
             Verdict::Undecidable
         } else {
             Verdict::Fits

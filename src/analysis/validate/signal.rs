@@ -57,7 +57,7 @@ impl Signal {
     }
 }
 
-/// The number of bands of a signal: the mean, then one for each doubling.
+/// The band of a coefficient: 0 is the mean, then one for each doubling.
 pub fn band_of(coefficient: usize) -> usize {
     coefficient.checked_ilog2().map_or(0, |doublings| doublings as usize + 1)
 }

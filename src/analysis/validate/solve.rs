@@ -72,11 +72,12 @@ impl Question<'_> {
             if let Some((foreign, arrangement)) = self.foreign(&arrangement)? {
                 let image = arrangement.images[foreign.face.index()];
                 // Were the others wrong too, the face would be one of several that changed places.
-                let others_fit = !self.puzzle.compare_without(&best, &arrangement, Some(image)).is_decisive();
-                let solution = self.solution(arrangement, None, Some(foreign), 1)?;
+                if self.puzzle.compare_without(&best, &arrangement, &[image]).is_decisive() {
+                    continue;
+                }
+                let solution = self.around(foreign, &arrangement)?;
                 // Equal texels are no matter of chance, whatever the other faces tell.
-                let certain = matches!(foreign.reason, Reason::CopyOf(_)) || solution.tells(&self.given());
-                if others_fit && certain {
+                if matches!(foreign.reason, Reason::CopyOf(_)) || solution.tells(&self.given()) {
                     return Ok(solution);
                 }
             }
@@ -84,12 +85,27 @@ impl Question<'_> {
         let ties = self.ties(&best);
         let (arrangement, convention) = self.simplest(&best, &ties, any_order);
         let alike: usize = ties.iter().map(Vec::len).product();
-        let solution = self.solution(arrangement, convention, None, if any_order { 48 * alike } else { alike })?;
+        let solution = self.solution(arrangement, convention, &[], if any_order { 48 * alike } else { alike })?;
         let related = self.puzzle.mean_fit(&arrangement) < UNRELATED;
         if arrangement == self.given() || (related && solution.tells(&self.given())) {
             return Ok(self.keeping_undecided(solution));
         }
-        self.solution(self.given(), None, None, solution.equivalents)
+        let solution = self.solution(self.given(), None, &[], solution.equivalents)?;
+        Ok(Solution { unsettled: !self.puzzle.ties(&best, &self.given()), ..solution })
+    }
+
+    /// The solution around a face that does not belong. What only the seams of strangers would gain is no ground to change
+    /// anything: the given laying stands where the others do not decide.
+    fn around(&self, foreign: Foreign, arrangement: &Arrangement) -> Result<Solution> {
+        let (map, puzzle) = (self.map, self.puzzle);
+        let strangers = foreign::strangers(map, puzzle, self.images, arrangement, foreign.face)?;
+        let given = self.given();
+        let needed = puzzle.compare_without(arrangement, &given, &strangers).is_decisive();
+        let found = if needed { *arrangement } else { given };
+        let image = arrangement.images[foreign.face.index()];
+        let face = Face::ALL.into_iter().find(|face| found.images[face.index()] == image).unwrap_or(foreign.face);
+        let solution = self.solution(found, None, &strangers, 1)?;
+        Ok(self.keeping_undecided(Solution { foreign: Some(Foreign { face, ..foreign }), ..solution }))
     }
 
     fn foreign(&self, arrangement: &Arrangement) -> Result<Option<(Foreign, Arrangement)>> {
@@ -134,11 +150,11 @@ impl Question<'_> {
         &self,
         arrangement: Arrangement,
         convention: Option<Convention>,
-        foreign: Option<Foreign>,
+        strangers: &[Face],
         equivalents: usize,
     ) -> Result<Solution> {
-        let (excluded, margin) = self.alternatives(&arrangement, foreign.map(|foreign| foreign.face))?;
-        Ok(Solution { arrangement, convention, excluded, margin, equivalents, foreign, unsettled: false })
+        let (excluded, margin) = self.alternatives(&arrangement, strangers)?;
+        Ok(Solution { arrangement, convention, excluded, margin, equivalents, foreign: None, unsettled: false })
     }
 
     /// By face the layings that are as good as the best one's, itself first.
