@@ -64,9 +64,14 @@ pub struct CheckArguments {
 /// Checks one map in full, or several with a line each.
 pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
     read_lookup(&arguments.validation.lookup)?;
+    if let [map] = &arguments.maps[..]
+        && let Ok(skybox) = Skybox::open_lenient(map)
+    {
+        return check_one(map, &skybox, arguments);
+    }
     let maps: Vec<PathBuf> = arguments.maps.iter().flat_map(|map| maps_at(map)).collect();
     match &maps[..] {
-        [map] if arguments.maps == maps => check_one(map, arguments),
+        [map] if arguments.maps == maps => check_one(map, &Skybox::open_lenient(map)?, arguments),
         _ => check_several(&maps, arguments),
     }
 }
@@ -82,8 +87,8 @@ fn is_map(path: &Path) -> bool {
     Skybox::open_lenient(path).is_ok() || is_meant_as_map(path)
 }
 
-fn check_one(map: &Path, arguments: &CheckArguments) -> Result<Outcome> {
-    let check = arguments.validation.check(&Skybox::open_lenient(map)?)?;
+fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<Outcome> {
+    let check = arguments.validation.check(skybox)?;
     let report = CheckReport::new(map.display().to_string(), &check);
     if arguments.json {
         super::print(format_args!("{}\n", report.to_json()));

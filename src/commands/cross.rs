@@ -1,6 +1,6 @@
 //! `skycube cross`: the cube unfolded, as the lookup shows it.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::Args;
 
@@ -10,7 +10,7 @@ use super::options::{check_drawing_name, refuse_source_folder, refuse_to_overwri
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
-use crate::picture::check_target;
+use crate::picture::{check_target, folder_of};
 use crate::report::{CrossInput, Drawing, SeamMark, draw_cross, nothing_to_fix};
 use crate::validate::Seam;
 
@@ -38,7 +38,7 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     let (world_up, assumption) = arguments.view.world_up();
     check_drawing_name(&arguments.output)?;
     refuse_to_overwrite_sources(&arguments.output, &map.sources)?;
-    refuse_source_folder(&map.skybox, arguments.output.parent().unwrap_or(Path::new("")))?;
+    refuse_source_folder(&map.skybox, folder_of(&arguments.output))?;
     check_target(&arguments.output)?;
     let (cube_map, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
     let heading = format!("{} through {}", map.name, map.lookup_name);

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use crate::envmap::Face;
 use crate::error::{Error, Result};
+use crate::picture::folder_of;
 
 /// An error if the folder of the targets holds one of their faces in another format, which would make the result
 /// ambiguous.
@@ -48,8 +49,4 @@ fn files_in(folder: &Path) -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file()).collect();
     files.sort();
     files
-}
-
-fn folder_of(path: &Path) -> &Path {
-    path.parent().filter(|parent| !parent.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

@@ -57,7 +57,8 @@ pub fn make_folder(folder: &Path) -> Result<()> {
         .map_err(|error| Error::new(format!("cannot make the folder: {error}")).in_file(folder))
 }
 
-fn folder_of(path: &Path) -> &Path {
+/// The folder that a path lies in; `.` for a bare name.
+pub fn folder_of(path: &Path) -> &Path {
     match path.parent() {
         Some(parent) if !parent.as_os_str().is_empty() => parent,
         _ => Path::new("."),

@@ -14,5 +14,5 @@ pub mod document;
 pub mod picture;
 
 pub use atomic_file::{
-    check_folder_target, check_target, make_folder, write_atomically, write_if_absent, write_together,
+    check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent, write_together,
 };

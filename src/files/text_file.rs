@@ -3,6 +3,7 @@
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
+use crate::atomic_file::folder_of;
 use crate::error::{Error, Result};
 
 /// The text of a TOML file.
@@ -31,13 +32,12 @@ fn unreadable(file: &Path, error: &std::io::Error) -> Error {
 /// The TOML file beside a missing one whose name without extension differs by at most two letters, the nearest.
 fn similar_file(missing: &Path) -> Option<PathBuf> {
     let stem = missing.file_stem()?.to_str()?;
-    let folder = missing.parent().filter(|folder| *folder != Path::new("")).unwrap_or(Path::new("."));
     let near = |path: PathBuf| {
         let is_toml = path.extension().is_some_and(|extension| extension == "toml");
         let distance = strsim::damerau_levenshtein(path.file_stem()?.to_str()?, stem);
         (is_toml && distance <= stem.len().div_ceil(3).min(2)).then_some((distance, path))
     };
-    let entries = std::fs::read_dir(folder).ok()?.flatten();
+    let entries = std::fs::read_dir(folder_of(missing)).ok()?.flatten();
     let (_, similar) = entries.filter_map(|entry| near(entry.path())).min()?;
     Some(missing.with_file_name(similar.file_name()?))
 }

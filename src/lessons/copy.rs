@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::Lesson;
 use crate::error::{Error, Result};
-use crate::picture::{make_folder, write_if_absent};
+use crate::picture::{folder_of, make_folder, write_if_absent};
 
 /// Copies the files of a lesson to a folder, which is made if missing, and gives their places. Nothing is overwritten: if
 /// another file has one of the names already, an error names it and nothing is copied. What a start that was stopped has
@@ -57,7 +57,7 @@ impl Copy {
 
     /// Writes the file, whole or not at all.
     fn make(&self) -> Result<()> {
-        make_folder(self.target.parent().unwrap_or(Path::new(".")))?;
+        make_folder(folder_of(&self.target))?;
         if write_if_absent(&self.target, &self.content)? { Ok(()) } else { Err(occupied(&self.target)) }
     }
 }
