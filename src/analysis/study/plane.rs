@@ -61,6 +61,17 @@ impl Plane {
         self.values.iter().map(|&value| f64::from(value)).sum::<f64>() / self.values.len() as f64
     }
 
+    /// The means of squares of `side` values, row by row; what is left over to the right and below is left out.
+    pub fn block_means(&self, side: usize) -> Vec<f64> {
+        let columns = self.width() / side;
+        let mean = |index: usize| {
+            let (left, top) = (index % columns * side, index / columns * side);
+            let places = (top..top + side).flat_map(|y| (left..left + side).map(move |x| (x, y)));
+            places.map(|(x, y)| f64::from(self.at(x, y))).sum::<f64>() / (side * side) as f64
+        };
+        (0..columns * (self.height() / side)).map(mean).collect()
+    }
+
     /// A plane computed value by value from two of the same size.
     pub fn zip(&self, other: &Self, value: impl Fn(f32, f32) -> f32) -> Self {
         assert_eq!((self.width, self.height), (other.width, other.height), "planes of different size");

@@ -57,16 +57,8 @@ impl Evenness {
 
 /// The means of the whole blocks; of all pixels if there is no whole block.
 fn block_means(luma: &Plane) -> Vec<f64> {
-    let (columns, rows) = (luma.width() / BLOCK, luma.height() / BLOCK);
-    if columns == 0 || rows == 0 {
-        return luma.values().iter().map(|&value| f64::from(value)).collect();
-    }
-    let mean = |index: usize| {
-        let (left, top) = (index % columns * BLOCK, index / columns * BLOCK);
-        let pixels = (top..top + BLOCK).flat_map(|y| (left..left + BLOCK).map(move |x| (x, y)));
-        pixels.map(|(x, y)| f64::from(luma.at(x, y))).sum::<f64>() / (BLOCK * BLOCK) as f64
-    };
-    (0..columns * rows).map(mean).collect()
+    let means = luma.block_means(BLOCK);
+    if means.is_empty() { luma.block_means(1) } else { means }
 }
 
 #[cfg(test)]

@@ -48,16 +48,10 @@ impl Residue {
         let count = (width * height) as f64;
         let squares = |plane: &Plane| plane.values().iter().map(|&value| square(f64::from(value))).sum::<f64>();
         let variance = differences.iter().map(squares).sum::<f64>() / count;
-        let (mut blocks, mut block_variance) = (0usize, 0.0);
-        for top in (0..(height / BLOCK) * BLOCK).step_by(BLOCK) {
-            for left in (0..(width / BLOCK) * BLOCK).step_by(BLOCK) {
-                let pixels = (top..top + BLOCK).flat_map(|y| (left..left + BLOCK).map(move |x| (x, y)));
-                let sum = |plane: &Plane| pixels.clone().map(|(x, y)| f64::from(plane.at(x, y))).sum::<f64>();
-                block_variance +=
-                    differences.iter().map(|plane| square(sum(plane) / (BLOCK * BLOCK) as f64)).sum::<f64>();
-                blocks += 1;
-            }
-        }
+        let means: Vec<Vec<f64>> = differences.iter().map(|plane| plane.block_means(BLOCK)).collect();
+        let blocks = means[0].len();
+        let of_block = |block: usize| means.iter().map(|means| square(means[block])).sum::<f64>();
+        let block_variance = (0..blocks).map(of_block).sum::<f64>();
         let expected = variance / (BLOCK * BLOCK) as f64;
         let structure =
             if blocks == 0 || expected == 0.0 { f64::INFINITY } else { block_variance / blocks as f64 / expected };

@@ -50,17 +50,17 @@ pub(super) fn found(mine_codes: &Raster, expected_codes: &Raster) -> Option<Part
     let small = |raster: &Raster| structure::thumbnail(raster, ImageOperation::None, size);
     let lumas = [small(mine_codes), small(expected_codes)].map(|raster| Plane::of_raster(&raster, luminance));
     let details = [detail(&lumas[0]), detail(&lumas[1])];
-    let share = |across: usize| {
-        let blocks = blocks(&details, across);
+    let share = |blocks: &[Agreement]| {
         let count = |kind: Agreement| blocks.iter().filter(|&&block| block == kind).count();
         count(Agreement::Fits) as f64 / (count(Agreement::Fits) + count(Agreement::Differs)).max(1) as f64
     };
-    let fits = share(0);
-    let by_chance = (1..8).map(|eighth| share(eighth * size[0] / 8)).fold(0.0, f64::max);
+    let in_place = blocks(&details, 0);
+    let fits = share(&in_place);
+    let by_chance = (1..8).map(|eighth| share(&blocks(&details, eighth * size[0] / 8))).fold(0.0, f64::max);
     if fits < DECISIVE.0 || fits < DECISIVE.1 * by_chance {
         return None;
     }
-    let differs = differing(&lumas, &blocks(&details, 0));
+    let differs = differing(&lumas, &in_place);
     let [columns, rows] = extent(&differs, size, [expected_codes.width(), expected_codes.height()]);
     Some(Partial { fits, by_chance, border: border(&differs, size), columns, rows })
 }
@@ -79,7 +79,7 @@ pub(super) fn detail(luma: &Plane) -> Plane {
     luma.zip(&luma.filtered(&kernel, &kernel), |value, slow| value - slow)
 }
 
-/// Every block, row by row, with mine moved `across` to the right, and round.
+/// Every block, row by row, with mine moved `across` to the left, and round.
 fn blocks([mine, expected]: &[Plane; 2], across: usize) -> Vec<Agreement> {
     let width = expected.width();
     let (columns, rows) = (width / BLOCK, expected.height() / BLOCK);
@@ -105,17 +105,12 @@ fn blocks([mine, expected]: &[Plane; 2], across: usize) -> Vec<Agreement> {
 }
 
 /// Which blocks differ: in their structure, or without any, in their tone.
-fn differing([mine, expected]: &[Plane; 2], blocks: &[Agreement]) -> Vec<bool> {
-    let columns = expected.width() / BLOCK;
-    let mean = |plane: &Plane, index: usize| {
-        let (left, top) = (index % columns * BLOCK, index / columns * BLOCK);
-        let pixels = (top..top + BLOCK).flat_map(|y| (left..left + BLOCK).map(move |x| (x, y)));
-        pixels.map(|(x, y)| f64::from(plane.at(x, y))).sum::<f64>() / (BLOCK * BLOCK) as f64
-    };
+fn differing(lumas: &[Plane; 2], blocks: &[Agreement]) -> Vec<bool> {
+    let [mine, expected] = [&lumas[0], &lumas[1]].map(|luma| luma.block_means(BLOCK));
     let differs = |(index, block): (usize, &Agreement)| match block {
         Agreement::Fits => false,
         Agreement::Differs => true,
-        Agreement::Empty => (mean(mine, index) - mean(expected, index)).abs() > OTHER_TONE,
+        Agreement::Empty => (mine[index] - expected[index]).abs() > OTHER_TONE,
     };
     blocks.iter().enumerate().map(differs).collect()
 }
