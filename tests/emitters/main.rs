@@ -5,6 +5,7 @@ mod icosphere;
 
 mod environment;
 mod histogram;
+mod irradiance;
 mod maps;
 mod shape_hits;
 mod solid_angles;

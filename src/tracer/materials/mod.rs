@@ -134,6 +134,11 @@ impl Material {
         self.scattering(DVec2::ZERO, 1.5)
     }
 
+    /// True if light is scattered the same in all directions, and nothing else is done with it.
+    pub fn is_dull(&self) -> bool {
+        matches!(self, Material::Lambert { .. })
+    }
+
     /// True if light is weakened on its way through.
     pub fn absorbs(&self) -> bool {
         matches!(self, Material::Glass { absorption, .. } if *absorption != Vec3::ZERO)

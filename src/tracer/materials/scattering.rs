@@ -105,6 +105,12 @@ impl Scattering<'_> {
         }
     }
 
+    /// The two delta lobes of a smooth glass, each with its share for a weight, to follow both; `None` for all else.
+    #[inline]
+    pub fn branches(&self, view: DVec3) -> Option<[ScatteringSample; 2]> {
+        if let Self::SmoothGlass(lobe) = self { lobe.branches(view) } else { None }
+    }
+
     /// Share of the light that is reflected or transmitted, for pictures of the surface colour alone: over all directions,
     /// but at normal incidence for Phong's highlight and for metals.
     pub fn albedo(&self) -> Vec3 {

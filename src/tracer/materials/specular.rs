@@ -25,6 +25,21 @@ pub struct SmoothBoundary {
 }
 
 impl SmoothBoundary {
+    /// Reflection and transmission, each weighted by its share; `None` where all is reflected.
+    pub fn branches(&self, view: DVec3) -> Option<[ScatteringSample; 2]> {
+        let boundary = boundary(view.z, self.relative_index);
+        boundary.cos_transmitted?;
+        let share = |share: f64| Vec3::splat(share as f32);
+        let transmitted = ScatteringSample {
+            direction: refract(-view, DVec3::Z, self.relative_index),
+            weight: share(1.0 - boundary.reflectance),
+            density: 1.0,
+            specular: true,
+            transmitted: true,
+        };
+        Some([ScatteringSample::reflected_specularly(view, share(boundary.reflectance), 1.0), transmitted])
+    }
+
     #[inline]
     pub fn sample(&self, view: DVec3, choice: f64) -> Option<ScatteringSample> {
         let boundary = boundary(view.z, self.relative_index);

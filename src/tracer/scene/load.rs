@@ -14,6 +14,7 @@ use crate::envmap::Environment;
 use crate::error::Result;
 use crate::lights::Light;
 use crate::materials::Material;
+use crate::math::DVec3;
 use crate::sampling::Sampling;
 use crate::shapes::Primitive;
 
@@ -68,6 +69,12 @@ impl Scene {
             shapes: Aggregate::new(Vec::new()),
             sources: Vec::new(),
         }
+    }
+
+    /// The unit normal of a flat shape that scatters light the same in all directions everywhere; `None` for others.
+    pub fn dull_normal(&self, primitive: &Primitive) -> Option<DVec3> {
+        let dull = |&number: &u32| self.materials[number as usize].is_dull();
+        primitive.flat_normal().filter(|_| primitive.material.numbers().iter().all(dull))
     }
 
     fn from_document(document: &Document, file: &Path, map_override: Option<PathBuf>) -> Result<Self> {

@@ -23,6 +23,9 @@ pub struct Plan {
     pub light_sampling: bool,
     /// Tables are built that draw directions by the brightness of the environment.
     pub environment_sampling: bool,
+    /// Over flat, dull surfaces the open sky is computed beforehand, and rays are sent only to the few shapes that may hide
+    /// it. (Left out after all if the sky is not even.)
+    pub open_sky: bool,
     /// Light is sent ahead to learn where mirrors and glass focus it: there are such, and surfaces to show it. (Left out
     /// after all if no light source is small and bright.)
     pub caustics: bool,
@@ -41,6 +44,9 @@ pub struct Plan {
 }
 
 impl Plan {
+    /// Most shapes that may hide the sky from a flat surface, for it to be worth looking for each of them.
+    pub const MOST_OBSTACLES: usize = 8;
+
     /// The plan of a scene.
     pub fn new(scene: &Scene) -> Self {
         let integrator = scene.integrator.kind;
@@ -61,6 +67,7 @@ impl Plan {
             !matches!(scene.environment.kind, EnvironmentKind::Constant(Vec3::ZERO)) && scene.environment.scale > 0.0;
         let environment_sampling = samples_lights && shines;
         let light_sampling = environment_sampling || samples_lights && any(Material::shines);
+        let open_sky = environment_sampling && strategy == Strategy::Auto && has_open_surfaces(scene);
         let searches = scene.integrator.caustics == Caustics::Auto;
         Self {
             integrator,
@@ -68,6 +75,7 @@ impl Plan {
             caustics: light_sampling && searches && any(Material::focuses),
             light_sampling,
             environment_sampling,
+            open_sky,
             // Ambient light stands in for what the path tracer computes.
             direct_light: shades && scene.lights.iter().any(|light| !path || light.casts_shadows()),
             shadow_rays: shades && shadowing && scene.lights.iter().any(Light::casts_shadows),
@@ -137,4 +145,12 @@ impl Plan {
         item(!self.hierarchy, &format!("{reason}: no hierarchy over them"));
         items
     }
+}
+
+/// True if there are flat, dull surfaces, and no more than a few shapes that have an end to hide the sky from them.
+fn has_open_surfaces(scene: &Scene) -> bool {
+    let primitives = scene.shapes.primitives();
+    let endless = primitives.iter().filter(|primitive| primitive.bounds().is_none()).count();
+    let few = primitives.len() <= Plan::MOST_OBSTACLES && endless <= 1;
+    few && primitives.iter().any(|primitive| scene.dull_normal(primitive).is_some())
 }

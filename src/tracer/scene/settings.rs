@@ -36,7 +36,8 @@ pub enum Mistake {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Strategy {
-    /// `mis`, but `bsdf` where the only light is an even sky, for which rays to its brightest parts are not worth their time.
+    /// `mis`, but where the only light is an even sky `bsdf`: rays to its brightest parts are not worth their time. Over
+    /// flat Lambert surfaces such a sky is computed beforehand, and rays go only to the few shapes that may hide it.
     #[default]
     Auto,
     /// Only where the material sends rays: good for large lights and sharp materials.

@@ -189,6 +189,14 @@ impl Primitive {
         }
     }
 
+    /// Unit normal in the world, if this is a flat shape.
+    pub fn flat_normal(&self) -> Option<DVec3> {
+        match self.kernel {
+            Kernel::Flat { normal, .. } => Some(normal),
+            _ => None,
+        }
+    }
+
     /// The surface where a ray hit this primitive. The point is put exactly onto the surface: what `ray.at(t)` lacks
     /// is the rounding of `t`.
     #[inline(always)]

@@ -14,7 +14,9 @@ use crate::shapes::Surface;
 impl<'a, O: Observer> Walk<'a, O> {
     /// The light of the environment at the end of a path that hits nothing.
     pub(super) fn take_environment(&mut self, path: &Path) {
-        self.counts.environment += 1;
+        if !matches!(path.arrival, Arrival::Obstructed) {
+            self.counts.environment += 1;
+        }
         let direction = path.ray.direction;
         let weight = self.weight_of(path.arrival, || self.tables.lights.environment_density(direction));
         if weight > 0.0 {
@@ -50,6 +52,8 @@ impl<'a, O: Observer> Walk<'a, O> {
     #[inline]
     fn weight_of(&self, arrival: Arrival, light_density: impl FnOnce() -> f64) -> f32 {
         match (arrival, self.plan.strategy) {
+            // Taken before, as the open sky.
+            (Arrival::Obstructed, _) => 0.0,
             (Arrival::Camera, _) | (Arrival::Scattered { .. }, Strategy::Bsdf) => 1.0,
             (Arrival::Scattered { .. }, Strategy::Light) => f32::from(u8::from(light_density() <= 0.0)),
             (Arrival::Scattered { density }, _) => power_heuristic(density, light_density()),
@@ -166,7 +170,8 @@ impl<'a, O: Observer> Walk<'a, O> {
             let media = path.media;
             let vertex = Vertex::new(&self.media_of, &media, path.ray.direction, material, surface, view);
             let Some(vertex) = vertex.filter(|vertex| vertex.scattering.is_specular()) else { return };
-            if !self.leave(&mut path, &vertex) {
+            // However little it carries, the path is on its way to something bright: it does not end at random.
+            if self.leave(&mut path, &vertex).is_none() {
                 return;
             }
         }

@@ -84,6 +84,11 @@ impl<'s> Vertex<'s> {
         ray.departure.is_some_and(|departure| departure.side != self.view.side)
     }
 
+    /// True if no glass is on the near side.
+    pub fn is_in_free_space(&self) -> bool {
+        self.before.innermost().is_none()
+    }
+
     /// The glasses that a ray of this vertex starts in.
     #[inline]
     pub fn media_of(&self, ray: &Ray) -> MediumStack {

@@ -1,0 +1,134 @@
+//! The directions in which shapes may stand in the way of the sky: cones around balls around them.
+
+use std::f64::consts::TAU;
+
+use super::super::direct::View;
+use crate::math::functions::sin_cos_turns;
+use crate::math::{DVec3, Frame};
+use crate::scene::Plan;
+use crate::shapes::{Primitive, Surface};
+
+/// A ball around a shape.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct BoundingBall {
+    centre: DVec3,
+    square_radius: f64,
+}
+
+/// The directions from one place that shapes may fill: cones, each with its probability.
+pub(super) struct Obstacles {
+    cones: [Cone; Plan::MOST_OBSTACLES],
+    count: usize,
+    /// Sum of the weights of all cones: about the share of the sky, weighted by the cosine, that they fill.
+    weight: f64,
+}
+
+/// Directions around an axis.
+#[derive(Debug, Clone, Copy)]
+struct Cone {
+    axis: DVec3,
+    /// 1 - cosine of the half angle.
+    spread: f64,
+    weight: f64,
+}
+
+impl BoundingBall {
+    pub fn around(primitive: &Primitive) -> Option<Self> {
+        if let Some((centre, radius)) = primitive.as_ball() {
+            return Some(Self { centre, square_radius: radius * radius });
+        }
+        let bounds = primitive.bounds()?;
+        let centre = (bounds.minimum + bounds.maximum) / 2.0;
+        Some(Self { centre, square_radius: (bounds.extent() / 2.0).length_squared() })
+    }
+}
+
+impl Obstacles {
+    /// `None` from inside of a ball around a shape: then it may be in every direction.
+    #[inline]
+    pub fn seen_from(balls: &[Option<BoundingBall>], surface: &Surface, view: &View) -> Option<Self> {
+        let mut obstacles = Self {
+            cones: [Cone { axis: DVec3::Z, spread: 0.0, weight: 0.0 }; Plan::MOST_OBSTACLES],
+            count: 0,
+            weight: 0.0,
+        };
+        for (shape, ball) in balls.iter().enumerate() {
+            // A flat surface does not hide the sky from itself.
+            if shape == surface.id.shape as usize {
+                continue;
+            }
+            let cone = Cone::around(ball.as_ref()?, surface.position, view.normal)?;
+            if cone.weight > 0.0 {
+                obstacles.cones[obstacles.count] = cone;
+                obstacles.count += 1;
+                obstacles.weight += cone.weight;
+            }
+        }
+        Some(obstacles)
+    }
+
+    /// The share of the sky, weighted by the cosine, that shapes may fill: about right, above 1 where their cones overlap.
+    #[inline]
+    pub fn share(&self) -> f64 {
+        self.weight
+    }
+
+    /// A direction to something that may hide the sky, and its density by solid angle. There must be some.
+    #[inline]
+    pub fn draw(&self, place: [f64; 2], choice: f64) -> (DVec3, f64) {
+        let cones = &self.cones[..self.count];
+        let mut rest = choice * self.weight;
+        let mut chosen = 0;
+        while chosen + 1 < cones.len() && rest >= cones[chosen].weight {
+            rest -= cones[chosen].weight;
+            chosen += 1;
+        }
+        let direction = cones[chosen].draw(place);
+        // The cones may overlap: the density is that of all together.
+        let density: f64 = cones
+            .iter()
+            .enumerate()
+            .filter(|&(number, cone)| number == chosen || cone.contains(direction))
+            .map(|(_, cone)| cone.weight / (TAU * cone.spread))
+            .sum();
+        (direction, density / self.weight)
+    }
+}
+
+impl Cone {
+    /// The cone that a ball fills over a surface; of weight 0 below its horizon. `None` from inside of the ball.
+    ///
+    /// The weight is the share of the sky, weighted by the cosine, of a ball wholly above the horizon, `sin^2 m cos`; and
+    /// not less than a little for one that is cut by it.
+    #[inline]
+    fn around(ball: &BoundingBall, position: DVec3, normal: DVec3) -> Option<Self> {
+        let offset = ball.centre - position;
+        let square = offset.length_squared();
+        let sine_square = ball.square_radius / square;
+        // Not quite at the ball: rounding must not make a cone of more than half of all directions.
+        if sine_square.is_nan() || sine_square > 1.0 - 1e-9 {
+            return None;
+        }
+        let axis = offset / square.sqrt();
+        let height = axis.dot(normal);
+        let sine = sine_square.sqrt();
+        let weight = if height <= -sine { 0.0 } else { sine_square * height.max(0.25 * sine) };
+        // 1 - cos m without cancellation.
+        let spread = sine_square / (1.0 + (1.0 - sine_square).sqrt());
+        Some(Self { axis, spread, weight })
+    }
+
+    /// A direction uniform in the cone.
+    #[inline]
+    fn draw(&self, place: [f64; 2]) -> DVec3 {
+        let offset = place[0] * self.spread;
+        let radius = (offset * (2.0 - offset)).sqrt();
+        let (sine, cosine) = sin_cos_turns(place[1]);
+        Frame::around(self.axis).to_world(DVec3::new(radius * cosine, radius * sine, 1.0 - offset))
+    }
+
+    #[inline]
+    fn contains(&self, direction: DVec3) -> bool {
+        direction.dot(self.axis) >= 1.0 - self.spread
+    }
+}
