@@ -89,7 +89,7 @@ impl<'a, O: Observer> Walk<'a, O> {
             radiance: found.map(|(radiance, _)| radiance),
         });
         let Some((radiance, distance)) = found else { return };
-        let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray).innermost(), distance);
+        let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray, &path.media).innermost(), distance);
         let share = evaluation.value * (f64::from(weight) / light.density) as f32;
         self.add("light, by a ray sent to it", path.throughput * share * transmittance * radiance);
     }
@@ -115,7 +115,8 @@ impl<'a, O: Observer> Walk<'a, O> {
                     continue;
                 }
             }
-            let transmittance = self.media_of.transmittance(|| vertex.media_of(&ray).innermost(), arriving.distance);
+            let transmittance =
+                self.media_of.transmittance(|| vertex.media_of(&ray, &path.media).innermost(), arriving.distance);
             let contribution = path.throughput * value * transmittance * arriving.irradiance;
             self.observer.note(|| {
                 let (distance, cosine) = (arriving.distance, towards.z);
@@ -139,7 +140,7 @@ impl<'a, O: Observer> Walk<'a, O> {
         self.observer.note(|| Event::Ray { kind: RayKind::Focused, ray, factor });
         self.follow_focused(Path {
             ray,
-            media: vertex.media_of(&ray),
+            media: vertex.media_of(&ray, &path.media),
             throughput: path.throughput * factor,
             bounces: path.bounces + 1,
             arrival: Arrival::Camera,
@@ -167,8 +168,7 @@ impl<'a, O: Observer> Walk<'a, O> {
             if path.bounces >= scene.integrator.depth {
                 return;
             }
-            let media = path.media;
-            let vertex = Vertex::new(&self.media_of, &media, path.ray.direction, material, surface, view);
+            let vertex = Vertex::new(&self.media_of, &path.media, path.ray.direction, material, surface, view);
             let Some(vertex) = vertex.filter(|vertex| vertex.scattering.is_specular()) else { return };
             // However little it carries, the path is on its way to something bright: it does not end at random.
             if self.leave(&mut path, &vertex).is_none() {

@@ -137,7 +137,9 @@ impl<'a, O: Observer> Walk<'a, O> {
     #[inline(always)]
     fn arrive(&mut self, path: &mut Path<'a>) -> Option<(Surface, View)> {
         let shapes = &self.scene.shapes;
-        path.media = shapes.settled(&path.media, &path.ray);
+        if path.media.is_nested() {
+            path.media = shapes.settled(&path.media, &path.ray);
+        }
         let hit = shapes.intersect(&path.ray)?;
         let surface = shapes.surface(&path.ray, &hit);
         let view = View::new(&surface, path.ray.direction);
@@ -166,8 +168,7 @@ impl<'a, O: Observer> Walk<'a, O> {
             self.observer.note(|| Event::CutByDepth { kind: RayKind::Scattered, depth: path.bounces });
             return false;
         }
-        let media = path.media;
-        let vertex = Vertex::new(&self.media_of, &media, path.ray.direction, material, surface, view);
+        let vertex = Vertex::new(&self.media_of, &path.media, path.ray.direction, material, surface, view);
         let Some(vertex) = vertex else { return false };
         if !vertex.scattering.is_specular() {
             self.take_lights(path, &vertex);
@@ -177,9 +178,12 @@ impl<'a, O: Observer> Walk<'a, O> {
             self.follow_branch(path, &vertex, &reflected);
             return self.depart(path, &vertex, &refracted);
         }
-        match self.open_sky_over(&vertex) {
+        match self.open_sky_over(path, &vertex) {
             Some((radiance, obstacles)) => self.leave_under_open_sky(path, &vertex, radiance, &obstacles),
-            None => self.leave(path, &vertex).is_some_and(|survival| self.survives(path, survival)),
+            None => {
+                let survival = self.leave(path, &vertex);
+                survival.is_some_and(|survival| self.survives(path, path.throughput.max_element(), survival))
+            }
         }
     }
 
@@ -217,7 +221,7 @@ impl<'a, O: Observer> Walk<'a, O> {
     /// Sends the path on in a direction. False if none of it leaves the surface there.
     #[inline(always)]
     fn depart(&mut self, path: &mut Path<'a>, vertex: &Vertex, sample: &ScatteringSample) -> bool {
-        let Some((ray, media)) = vertex.departure(sample) else { return false };
+        let Some(ray) = vertex.departure(sample, &mut path.media) else { return false };
         self.observer.note(|| Event::Scattered {
             specular: sample.specular,
             transmitted: sample.transmitted,
@@ -235,16 +239,16 @@ impl<'a, O: Observer> Walk<'a, O> {
             }
             arrival => arrival,
         };
-        (path.ray, path.media) = (ray, media);
+        path.ray = ray;
         path.throughput *= sample.weight;
         path.bounces += 1;
         true
     }
 
-    /// Ends paths that carry little at random; the survivors carry as much more, so nothing is lost on average (Russian
-    /// roulette: Arvo and Kirk, Particle Transport and Image Synthesis, 1990).
-    fn survives(&mut self, path: &mut Path, uniform: f64) -> bool {
-        let carried = path.throughput.max_element();
+    /// Ends paths at random that carry little of the pixel; the survivors carry as much more, so nothing is lost on average
+    /// (Russian roulette: Arvo and Kirk, Particle Transport and Image Synthesis, 1990).
+    #[inline]
+    fn survives(&mut self, path: &mut Path, carried: f32, uniform: f64) -> bool {
         if carried <= 0.0 {
             return false;
         }

@@ -83,10 +83,10 @@ fn irradiance(scene: &Scene, normal: DVec3, known: &mut Vec<(DVec3, Irradiance)>
 impl<'a, O: Observer> Walk<'a, O> {
     /// The radiance of a white surface under the open sky and what may hide it, for surfaces where that is known.
     #[inline]
-    pub(super) fn open_sky_over(&self, vertex: &Vertex) -> Option<(Vec3, Obstacles)> {
+    pub(super) fn open_sky_over(&self, path: &Path, vertex: &Vertex) -> Option<(Vec3, Obstacles)> {
         let open_sky = self.tables.open_sky.as_ref()?;
         // Through glass the sky looks otherwise.
-        vertex.is_in_free_space().then(|| open_sky.over(&vertex.surface, &vertex.view))?
+        path.media.innermost().is_none().then(|| open_sky.over(&vertex.surface, &vertex.view))?
     }
 
     /// Takes the light of the open sky, and sends the path to where something may hide it. False if the path ends here.
@@ -99,21 +99,25 @@ impl<'a, O: Observer> Walk<'a, O> {
     ) -> bool {
         let colour = vertex.scattering.albedo();
         self.add("open sky, as if nothing hid it", path.throughput * colour * radiance);
-        if obstacles.share() <= 0.0 {
+        path.throughput *= colour;
+        let [x, y, choice, survival] = self.sampler.four().map(f64::from);
+        // About as much as the ray will carry, known before it is.
+        let carried = path.throughput.max_element() * obstacles.share().min(1.0) as f32;
+        if !self.survives(path, carried, survival) {
             return false;
         }
-        let [x, y, choice, survival] = self.sampler.four().map(f64::from);
         let (direction, density) = obstacles.draw([x, y], choice);
         let cosine = direction.dot(vertex.view.normal);
         let Some(ray) = vertex.ray_towards(direction).filter(|_| cosine > 0.0) else { return false };
-        let weight = colour * (cosine * FRAC_1_PI / density) as f32;
+        let factor = (cosine * FRAC_1_PI / density) as f32;
+        let weight = colour * factor;
         self.observer.note(|| Event::Scattered { specular: false, transmitted: false, density, weight });
         self.counts.reflected += 1;
         path.ray = ray;
         path.arrival = Arrival::Obstructed;
-        path.throughput *= weight;
+        path.throughput *= factor;
         path.bounces += 1;
-        self.survives(path, survival)
+        true
     }
 
     /// Takes back the light of the sky behind what the path met.

@@ -14,16 +14,15 @@ pub(super) struct Vertex<'s> {
     /// Towards where the path came from, in the frame; above the surface.
     pub towards_viewer: DVec3,
     pub scattering: Scattering<'s>,
-    /// The glasses on the near side.
-    before: &'s MediumStack,
 }
 
 impl<'s> Vertex<'s> {
-    /// The surface with its scattering function, met along a direction; `None` if it scatters nothing towards the viewer.
+    /// The surface with its scattering function, met along a direction out of the glasses `before`; `None` if it scatters
+    /// nothing towards the viewer.
     #[inline(always)]
     pub fn new(
         media: &Media,
-        before: &'s MediumStack,
+        before: &MediumStack,
         direction: DVec3,
         material: &'s Material,
         surface: Surface,
@@ -39,12 +38,13 @@ impl<'s> Vertex<'s> {
         let frame = Frame::around(view.shading_normal);
         let towards_viewer = frame.to_local(-direction);
         let visible = towards_viewer.z > 0.0;
-        visible.then_some(Self { surface, view, frame, towards_viewer, scattering, before })
+        visible.then_some(Self { surface, view, frame, towards_viewer, scattering })
     }
 
-    /// The ray of a chosen direction, and the glasses it starts in. `None` if light would leak through the surface.
+    /// The ray of a chosen direction; `media`, the glasses before the surface, become those it starts in. `None` if light
+    /// would leak through the surface.
     #[inline]
-    pub fn departure(&self, sample: &ScatteringSample) -> Option<(Ray, MediumStack)> {
+    pub fn departure(&self, sample: &ScatteringSample, media: &mut MediumStack) -> Option<Ray> {
         let direction = self.frame.to_world(sample.direction);
         let ray = match (self.ray_towards(direction), sample.specular) {
             (Some(ray), _) if self.passes(&ray) == sample.transmitted => ray,
@@ -52,7 +52,10 @@ impl<'s> Vertex<'s> {
             (_, true) => self.ray_along_surface(direction, sample.transmitted),
             _ => return None,
         };
-        Some((ray, self.media(sample.transmitted)))
+        if sample.transmitted {
+            *media = beyond(media, &self.surface, &self.view);
+        }
+        Some(ray)
     }
 
     /// The ray that leaves the surface in a direction; `None` if the shading normal has it on one side of the surface and
@@ -84,19 +87,9 @@ impl<'s> Vertex<'s> {
         ray.departure.is_some_and(|departure| departure.side != self.view.side)
     }
 
-    /// True if no glass is on the near side.
-    pub fn is_in_free_space(&self) -> bool {
-        self.before.innermost().is_none()
-    }
-
-    /// The glasses that a ray of this vertex starts in.
+    /// The glasses that a ray of this vertex starts in, by those before the surface.
     #[inline]
-    pub fn media_of(&self, ray: &Ray) -> MediumStack {
-        self.media(self.passes(ray))
-    }
-
-    #[inline]
-    fn media(&self, passes: bool) -> MediumStack {
-        if passes { beyond(self.before, &self.surface, &self.view) } else { *self.before }
+    pub fn media_of(&self, ray: &Ray, before: &MediumStack) -> MediumStack {
+        if self.passes(ray) { beyond(before, &self.surface, &self.view) } else { *before }
     }
 }

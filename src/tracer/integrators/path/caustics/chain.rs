@@ -65,8 +65,7 @@ impl<'a> ChainTracer<'a> {
             let surface = self.scene.shapes.surface(&ray, &hit);
             let view = View::new(&surface, ray.direction);
             let material = &self.scene.materials[surface.material as usize];
-            let before = media;
-            let vertex = Vertex::new(&self.media, &before, ray.direction, material, surface, view)?;
+            let vertex = Vertex::new(&self.media, &media, ray.direction, material, surface, view)?;
             if !vertex.scattering.is_specular() {
                 let complete = match &decision {
                     Decision::Chance { .. } => count > 0,
@@ -75,13 +74,13 @@ impl<'a> ChainTracer<'a> {
                 let landing = Landing { position: surface.position, normal: view.normal, towards: -ray.direction };
                 return complete.then_some(landing);
             }
-            (ray, media) = self.turn(&vertex, &mut decision, count)?;
+            ray = self.turn(&vertex, &mut decision, count, &mut media)?;
         }
         None
     }
 
-    /// One mirror or smooth glass.
-    fn turn(&self, vertex: &Vertex, decision: &mut Decision, count: usize) -> Option<(Ray, MediumStack)> {
+    /// One mirror or smooth glass; `media` become those behind it.
+    fn turn(&self, vertex: &Vertex, decision: &mut Decision, count: usize, media: &mut MediumStack) -> Option<Ray> {
         let sample = |choice: f64| vertex.scattering.sample(vertex.towards_viewer, [0.5; 2], choice);
         let shape = vertex.surface.id.shape;
         let sample = match decision {
@@ -97,6 +96,6 @@ impl<'a> ChainTracer<'a> {
                 ends.into_iter().find(|sample| sample.transmitted == wanted.transmitted)?
             }
         };
-        vertex.departure(&sample)
+        vertex.departure(&sample, media)
     }
 }
