@@ -2,7 +2,7 @@
 
 use super::super::direct::{COORDINATES_COLOUR, SHINES, View, coordinates_colour};
 use super::super::normals;
-use super::super::observer::{Event, LightOutcome, Observer, RayKind};
+use super::super::observer::{Event, LightOutcome, Observer};
 use super::vertex::Vertex;
 use super::weights::power_heuristic;
 use super::{Arrival, Path, Walk};
@@ -57,8 +57,8 @@ impl<'a, O: Observer> Walk<'a, O> {
             (Arrival::Camera, _) | (Arrival::Scattered { .. }, Strategy::Bsdf) => 1.0,
             (Arrival::Scattered { .. }, Strategy::Light) => f32::from(u8::from(light_density() <= 0.0)),
             (Arrival::Scattered { density }, _) => power_heuristic(density, light_density()),
-            (Arrival::Focused { density, towards, caustics }, _) => {
-                caustics.map_or(1.0, |directions| power_heuristic(density, directions.density(towards)))
+            (Arrival::Focused { density, towards, way, caustics }, _) => {
+                caustics.map_or(1.0, |directions| power_heuristic(density, directions.density(towards, way)))
             }
         }
     }
@@ -123,57 +123,6 @@ impl<'a, O: Observer> Walk<'a, O> {
                 Event::Light { number, outcome: LightOutcome::Free { ray, distance, cosine, contribution } }
             });
             self.add("light from a single direction", contribution);
-        }
-    }
-
-    /// Light that glass and mirrors focus here, by rays in the directions that light sent ahead came from.
-    pub(super) fn take_caustics(&mut self, path: &mut Path<'a>, vertex: &Vertex) {
-        let Some(guide) = &self.tables.caustics else { return };
-        path.caustics = guide.around(vertex.surface.position);
-        let Some(directions) = path.caustics else { return };
-        let [x, y, choice, _] = self.sampler.four().map(f64::from);
-        let (direction, density) = directions.draw([x, y], choice);
-        let evaluation = vertex.scattering.evaluate(vertex.towards_viewer, vertex.frame.to_local(direction));
-        let Some(ray) = vertex.ray_towards(direction).filter(|_| evaluation.value != Vec3::ZERO) else { return };
-        let weight = f64::from(power_heuristic(density, evaluation.density));
-        let factor = evaluation.value * (weight / density) as f32;
-        self.observer.note(|| Event::Ray { kind: RayKind::Focused, ray, factor });
-        self.follow_focused(Path {
-            ray,
-            media: vertex.media_of(&ray, &path.media),
-            throughput: path.throughput * factor,
-            bounces: path.bounces + 1,
-            arrival: Arrival::Camera,
-            caustics: None,
-        });
-        self.observer.note(|| Event::End { radiance: None });
-    }
-
-    /// Follows a ray through mirrors and smooth glass, at least one, to a light source.
-    fn follow_focused(&mut self, mut path: Path<'a>) {
-        let scene = self.scene;
-        let start = path.bounces;
-        self.counts.shadow += 1;
-        loop {
-            let Some((surface, view)) = self.arrive(&mut path) else {
-                if path.bounces > start {
-                    self.take_environment(&path);
-                }
-                return;
-            };
-            let material = &scene.materials[surface.material as usize];
-            if material.shines() && path.bounces > start {
-                self.take_own_light(&path, material, &surface, &view);
-            }
-            if path.bounces >= scene.integrator.depth {
-                return;
-            }
-            let vertex = Vertex::new(&self.media_of, &path.media, path.ray.direction, material, surface, view);
-            let Some(vertex) = vertex.filter(|vertex| vertex.scattering.is_specular()) else { return };
-            // However little it carries, the path is on its way to something bright: it does not end at random.
-            if self.leave(&mut path, &vertex).is_none() {
-                return;
-            }
         }
     }
 }

@@ -10,6 +10,7 @@
 //! ```
 
 mod caustics;
+mod focused_light;
 mod found_light;
 mod lights;
 mod obstacles;
@@ -27,7 +28,7 @@ use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
 use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
-use caustics::{CausticGuide, Directions};
+use caustics::{CausticGuide, Directions, Turn, WayCode};
 use lights::LightTables;
 use open_sky::OpenSky;
 use vertex::Vertex;
@@ -108,9 +109,23 @@ enum Arrival<'a> {
     Obstructed,
     /// At random with this density by solid angle, from a surface where lights were sampled, too.
     Scattered { density: f64 },
-    /// By mirrors or smooth glass, after it was scattered in the direction `towards` with this density, where caustics
-    /// may have been searched for, too.
-    Focused { density: f64, towards: DVec3, caustics: Option<Directions<'a>> },
+    /// By mirrors or smooth glass, after it was scattered in the direction `towards`, where caustics may have been searched
+    /// for, too: the density of that times the probability of the way taken since.
+    Focused { density: f64, towards: DVec3, way: WayCode, caustics: Option<Directions<'a>> },
+}
+
+impl<'a> Arrival<'a> {
+    /// The same after a mirror or smooth glass.
+    #[inline(always)]
+    fn focused(self, path: &Path<'a>, vertex: &Vertex, sample: &ScatteringSample) -> Self {
+        let turn = Turn { shape: vertex.surface.id.shape, transmitted: sample.transmitted };
+        let (density, towards, way, caustics) = match self {
+            Arrival::Scattered { density } => (density, path.ray.direction, WayCode::START, path.caustics),
+            Arrival::Focused { density, towards, way, caustics } => (density, towards, way, caustics),
+            arrival => return arrival,
+        };
+        Arrival::Focused { density: density * sample.density, towards, way: way.then(turn), caustics }
+    }
 }
 
 struct Walk<'a, O> {
@@ -234,10 +249,7 @@ impl<'a, O: Observer> Walk<'a, O> {
             _ if !sample.specular => Arrival::Scattered { density: sample.density },
             // A mirror direction of a surface that scatters, too: caustics are not searched for through it.
             _ if !vertex.scattering.is_specular() => Arrival::Camera,
-            Arrival::Scattered { density } => {
-                Arrival::Focused { density, towards: path.ray.direction, caustics: path.caustics }
-            }
-            arrival => arrival,
+            arrival => arrival.focused(path, vertex, sample),
         };
         path.ray = ray;
         path.throughput *= sample.weight;

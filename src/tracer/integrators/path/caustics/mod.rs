@@ -8,29 +8,55 @@
 
 mod chain;
 mod emission;
+mod landed;
 mod photon;
 mod tree;
+mod way;
 
-use rayon::prelude::*;
+use std::collections::BTreeMap;
 
 use super::lights::LightTables;
-use crate::math::{DVec3, Frame};
+use crate::math::DVec3;
+use crate::parallel;
 use crate::sampling::{PixelSampler, Sampling};
 use crate::scene::{Plan, Scene};
-use chain::{ChainTracer, Landing, Turn};
-use emission::{Bundle, Casters};
+use chain::ChainTracer;
+use emission::Casters;
+use landed::{Landed, land, source_width};
 use photon::{Forecast, Photon};
 use tree::{HANDFUL, PhotonTree};
 
+pub(super) use chain::branch;
+pub(super) use way::{Turn, WayCode};
+
 /// Bundles of rays sent out a pixel of the picture, and bounds on their number.
-const BUNDLES_A_PIXEL: f64 = 0.25;
+const BUNDLES_A_PIXEL: f64 = 0.5;
 const BUNDLES: std::ops::RangeInclusive<u32> = 4096..=262_144;
+/// Bundles sent out one after the other by one thread.
+const BUNDLES_AT_ONCE: u32 = 256;
 /// A column of pixels that no picture has: its samples are those of the photons.
 const PHOTON_COLUMN: usize = usize::MAX;
 
+/// Most ways that are searched for; the weaker ones are left to chance.
+const MOST_WAYS: usize = 16;
+/// Fewest photons that tell of a way.
+const FEWEST_PHOTONS: usize = 4;
+/// Share of the choices that go to all ways alike: a way may be seen where none of its photons landed.
+const EVEN_SHARE: f64 = 0.15;
+
 /// Where focused light comes from, all over the scene.
 pub(super) struct CausticGuide {
-    tree: PhotonTree,
+    ways: Vec<Way>,
+    /// The photons of all ways, which tell how much of the light around a place took which.
+    all: PhotonTree,
+}
+
+/// Light that took the same turns.
+struct Way {
+    /// From where the light lands back to its source.
+    turns: Vec<Turn>,
+    code: WayCode,
+    photons: PhotonTree,
 }
 
 impl CausticGuide {
@@ -39,168 +65,150 @@ impl CausticGuide {
         if !plan.caustics || !lights.is_concentrated() {
             return None;
         }
-        let casters = Casters::new(scene)?;
-        let [width, height] = scene.camera.size();
-        let count = ((width * height) as f64 * BUNDLES_A_PIXEL) as u32;
-        let count = count.clamp(*BUNDLES.start(), *BUNDLES.end());
-        let tracer = ChainTracer::new(scene, plan);
-        let sampling = Sampling { seed: scene.sampling.seed, ..Sampling::default() };
-        let landed: Vec<Landed> = (0..count)
-            .into_par_iter()
-            .filter_map(|index| {
-                let mut sampler = PixelSampler::chosen(sampling, PHOTON_COLUMN, 0, index);
-                land(&tracer, casters.bundle(scene, lights, &mut sampler)?, &mut sampler)
-            })
-            .collect();
+        let landed = send(scene, plan, lights, &Casters::new(scene)?);
         let width = source_width(&landed);
-        let photons: Vec<Photon> = landed.iter().map(|landed| landed.photon(width)).collect();
-        (!photons.is_empty()).then(|| Self { tree: PhotonTree::new(photons) })
+        let mut ways = Vec::new();
+        let mut all = Vec::new();
+        for (number, (code, landed)) in strongest(&landed).into_iter().enumerate() {
+            let photons: Vec<Photon> = landed.iter().map(|landed| landed.photon(width, number as u32)).collect();
+            all.extend_from_slice(&photons);
+            ways.push(Way { turns: landed[0].turns.clone(), code, photons: PhotonTree::new(photons) });
+        }
+        (!ways.is_empty()).then(|| Self { ways, all: PhotonTree::new(all) })
     }
 
-    /// The directions of focused light around a place; `None` where there is none.
+    /// The directions of focused light around a place.
     #[inline]
-    pub fn around(&self, point: DVec3) -> Option<Directions<'_>> {
-        let photons = self.tree.near(point);
-        (!photons.is_empty()).then_some(Directions { photons, point })
+    pub fn around(&self, point: DVec3) -> Directions<'_> {
+        Directions { guide: self, point }
     }
+}
+
+/// Sends bundles of light to the mirrors and glasses of a scene. Returns where they landed.
+fn send(scene: &Scene, plan: &Plan, lights: &LightTables, casters: &Casters) -> Vec<Landed> {
+    let [width, height] = scene.camera.size();
+    let count = ((width * height) as f64 * BUNDLES_A_PIXEL) as u32;
+    let count = count.clamp(*BUNDLES.start(), *BUNDLES.end());
+    let tracer = ChainTracer::new(scene, plan);
+    let sampling = Sampling { seed: scene.sampling.seed, ..Sampling::default() };
+    let starts = (0..count).step_by(BUNDLES_AT_ONCE as usize);
+    let landed = parallel::map(starts, |start| {
+        let mut landed = Vec::new();
+        for index in start..(start + BUNDLES_AT_ONCE).min(count) {
+            let mut sampler = PixelSampler::chosen(sampling, PHOTON_COLUMN, 0, index);
+            if let Some(bundle) = casters.bundle(scene, lights, &mut sampler) {
+                land(&tracer, &bundle, &mut landed);
+            }
+        }
+        landed
+    });
+    landed.into_iter().flatten().collect()
+}
+
+/// What landed by the ways that most of the light took, strongest first.
+fn strongest(landed: &[Landed]) -> Vec<(WayCode, Vec<&Landed>)> {
+    let mut ways: BTreeMap<WayCode, Vec<&Landed>> = BTreeMap::new();
+    for landed in landed {
+        ways.entry(WayCode::of(&landed.turns)).or_default().push(landed);
+    }
+    let share = |landed: &[&Landed]| landed.iter().map(|landed| landed.share).sum::<f64>();
+    let mut ways: Vec<_> = ways.into_iter().filter(|(_, landed)| landed.len() >= FEWEST_PHOTONS).collect();
+    ways.sort_by(|(_, one), (_, other)| share(other).total_cmp(&share(one)));
+    ways.truncate(MOST_WAYS);
+    ways
 }
 
 /// The directions in which focused light is seen from a place.
 #[derive(Clone, Copy)]
 pub(super) struct Directions<'g> {
-    photons: &'g [Photon],
+    guide: &'g CausticGuide,
     point: DVec3,
 }
 
-impl Directions<'_> {
-    /// A unit direction and its density by solid angle.
+/// A direction in which light may be seen that took a certain way.
+pub(super) struct FocusedDirection<'g> {
+    pub direction: DVec3,
+    /// By solid angle, of all directions drawn for this way.
+    pub density: f64,
+    /// From here to the source.
+    pub turns: &'g [Turn],
+}
+
+impl<'g> Directions<'g> {
+    /// Draws a way, and a direction in which light of that way may be seen; `None` if it is not seen from here.
     #[inline]
-    pub fn draw(&self, place: [f64; 2], choice: f64) -> (DVec3, f64) {
-        let forecasts = self.forecasts();
+    pub fn draw(&self, place: [f64; 2], choice: f64) -> Option<FocusedDirection<'g>> {
+        let (way, probability, rest) = self.draw_way(choice);
+        let Way { turns, photons, .. } = &self.guide.ways[way];
+        let photons = photons.near(self.point);
+        let forecasts = self.forecasts(photons);
         let total: f64 = forecasts.iter().map(|forecast| forecast.weight).sum();
-        let mut left = choice * total;
+        let mut left = rest * total;
         let mut chosen = 0;
-        while chosen + 1 < self.photons.len() && left >= forecasts[chosen].weight {
+        while chosen + 1 < photons.len() && left >= forecasts[chosen].weight {
             left -= forecasts[chosen].weight;
             chosen += 1;
         }
-        let direction = self.photons[chosen].draw(&forecasts[chosen], place);
-        (direction, self.mixed_density(&forecasts, direction))
+        let direction = photons.get(chosen)?.draw(&forecasts[chosen], place);
+        let density = probability * mixed_density(photons, &forecasts, direction);
+        Some(FocusedDirection { direction, density, turns })
     }
 
-    /// Density with which [`Directions::draw`] chooses a unit direction.
-    pub fn density(&self, direction: DVec3) -> f64 {
-        self.mixed_density(&self.forecasts(), direction)
+    /// Density with which [`Directions::draw`] chooses a unit direction for a way.
+    pub fn density(&self, direction: DVec3, code: WayCode) -> f64 {
+        let Some(way) = self.guide.ways.iter().position(|way| way.code == code) else { return 0.0 };
+        let photons = self.guide.ways[way].photons.near(self.point);
+        if photons.is_empty() {
+            return 0.0;
+        }
+        self.probabilities()(way) * mixed_density(photons, &self.forecasts(photons), direction)
+    }
+
+    /// With which probability each way is chosen: by the share of the light around here that took it.
+    #[inline]
+    fn probabilities(&self) -> impl Fn(usize) -> f64 {
+        let around = self.guide.all.near(self.point);
+        let total: f64 = around.iter().map(|photon| photon.share).sum();
+        let even = if around.is_empty() { 1.0 } else { EVEN_SHARE } / self.guide.ways.len() as f64;
+        let scale = if around.is_empty() { 0.0 } else { (1.0 - EVEN_SHARE) / total };
+        move |way| {
+            let here = around.iter().filter(|photon| photon.way as usize == way);
+            even + scale * here.map(|photon| photon.share).sum::<f64>()
+        }
+    }
+
+    /// A way, its probability, and what is left of the random number, uniform in `[0, 1)`.
+    #[inline]
+    fn draw_way(&self, choice: f64) -> (usize, f64, f64) {
+        let probability = self.probabilities();
+        let (mut left, mut way) = (choice, 0);
+        loop {
+            let of_way = probability(way);
+            if left < of_way || way + 1 == self.guide.ways.len() {
+                return (way, of_way, (left / of_way).min(1.0 - f64::EPSILON));
+            }
+            left -= of_way;
+            way += 1;
+        }
     }
 
     /// What each photon foresees; none where there is no photon.
     #[inline]
-    fn forecasts(&self) -> [Forecast; HANDFUL] {
+    fn forecasts(&self, photons: &[Photon]) -> [Forecast; HANDFUL] {
         let mut forecasts = [Forecast::default(); HANDFUL];
-        for (forecast, photon) in forecasts.iter_mut().zip(self.photons) {
+        for (forecast, photon) in forecasts.iter_mut().zip(photons) {
             *forecast = photon.forecast(self.point);
         }
         forecasts
     }
+}
 
-    #[inline]
-    fn mixed_density(&self, forecasts: &[Forecast; HANDFUL], direction: DVec3) -> f64 {
-        let (mut total, mut sum) = (0.0, 0.0);
-        for (photon, forecast) in self.photons.iter().zip(forecasts) {
-            total += forecast.weight;
-            sum += forecast.weight * photon.density(forecast, direction);
-        }
-        sum / total
+#[inline]
+fn mixed_density(photons: &[Photon], forecasts: &[Forecast; HANDFUL], direction: DVec3) -> f64 {
+    let (mut total, mut sum) = (0.0, 0.0);
+    for (photon, forecast) in photons.iter().zip(forecasts) {
+        total += forecast.weight;
+        sum += forecast.weight * photon.density(forecast, direction);
     }
-}
-
-/// A bundle that landed: its middle, and how far the others landed from it, by length of their steps.
-struct Landed {
-    landing: Landing,
-    /// Change of place and of direction by moving along the disc; `None` if they went another way.
-    moved: Option<[(DVec3, DVec3); 2]>,
-    /// The same by turning.
-    turned: Option<[(DVec3, DVec3); 2]>,
-    towards_source: DVec3,
-}
-
-fn land(tracer: &ChainTracer, bundle: Bundle, sampler: &mut PixelSampler) -> Option<Landed> {
-    let mut turns: Vec<Turn> = Vec::new();
-    let landing = tracer.follow(bundle.ray, sampler, &mut turns)?;
-    let change = |ray, step: f64| {
-        let other = tracer.follow_again(ray, &turns)?;
-        Some(((other.position - landing.position) / step, (other.towards - landing.towards) / step))
-    };
-    let both = |[one, other]: [_; 2], step| Some([change(one, step)?, change(other, step)?]);
-    let moved = both(bundle.moved, bundle.steps[0]);
-    let turned = both(bundle.turned, bundle.steps[1]);
-    Some(Landed { landing, moved, turned, towards_source: bundle.towards_source })
-}
-
-/// The tangent of the angle that covers a source, from the directions of rays that it sent: small sources lie apart, so of
-/// all distances between directions the small ones tell. (In a disc of radius r, a quarter of the pairs are nearer than
-/// 0.57 r.)
-fn source_width(landed: &[Landed]) -> f64 {
-    let few: Vec<DVec3> = landed.iter().step_by(landed.len() / 64 + 1).map(|landed| landed.towards_source).collect();
-    let pairs =
-        few.iter().enumerate().flat_map(|(index, one)| few[..index].iter().map(move |other| (*one - *other).length()));
-    let mut distances: Vec<f64> = pairs.collect();
-    distances.sort_by(f64::total_cmp);
-    distances.get(distances.len() / 4).map_or(0.1, |quarter| quarter / 0.57)
-}
-
-impl Landed {
-    /// The photon, for a source of the given width (tangent of its radius).
-    fn photon(&self, width: f64) -> Photon {
-        let Landing { position, normal, towards } = self.landing;
-        let Frame { tangent, bitangent, .. } = Frame::around(normal);
-        let along = [tangent, bitangent];
-        let view = Frame::around(towards);
-        let unknown = Photon {
-            position,
-            towards,
-            axes: [view.tangent, view.bitangent],
-            along,
-            turn: [[0.0; 2]; 2],
-            half: [width; 2],
-            drift: 0.0,
-        };
-        let Some(turn) = self.turn_along(along) else { return unknown };
-        let (axes, half) = match self.turned {
-            // Seen from the same place: what turning the source does, less what the move does that brings the ray back.
-            Some(turned) => {
-                let seen = |(place, direction): (DVec3, DVec3)| {
-                    (direction - turn[0] * tangent.dot(place) - turn[1] * bitangent.dot(place)) * width
-                };
-                ellipse_axes(turned.map(seen), towards)
-            }
-            None => (unknown.axes, unknown.half),
-        };
-        let on_plane = |vector: DVec3| axes.map(|axis| axis.dot(vector));
-        Photon { axes, turn: turn.map(on_plane), half, ..unknown }
-    }
-
-    /// J = W Y^-1: the change of direction for a step along either axis of the surface, from the changes of place Y and of
-    /// direction W by moving the start of the ray. `None` where neighbours went another way or all land in one line.
-    fn turn_along(&self, [tangent, bitangent]: [DVec3; 2]) -> Option<[DVec3; 2]> {
-        let [one, other] = self.moved?;
-        let flat = |offset: DVec3| [tangent.dot(offset), bitangent.dot(offset)];
-        let ([a, c], [b, d]) = (flat(one.0), flat(other.0));
-        let determinant = a * d - b * c;
-        let flattened = determinant.abs() < 1e-6 * (a * a + b * b + c * c + d * d);
-        (!flattened).then(|| [(one.1 * d - other.1 * c) / determinant, (other.1 * a - one.1 * b) / determinant])
-    }
-}
-
-/// The axes of the ellipse that two vectors (at right angles to `normal`, more or less) make of the unit circle, and their
-/// lengths: the singular value decomposition of two columns (Golub and Van Loan, Matrix Computations, section 8.6).
-fn ellipse_axes([one, other]: [DVec3; 2], normal: DVec3) -> ([DVec3; 2], [f64; 2]) {
-    // Turn the circle so that the images of its axes are at right angles.
-    let (difference, product) = (one.length_squared() - other.length_squared(), 2.0 * one.dot(other));
-    let angle = 0.5 * crate::math::functions::arctan2(product, difference);
-    let (sine, cosine) = (crate::math::functions::sin(angle), crate::math::functions::cos(angle));
-    let (long, short) = (one * cosine + other * sine, other * cosine - one * sine);
-    let fallback = Frame::around(normal);
-    let first = (long - normal * long.dot(normal)).try_normalize().unwrap_or(fallback.tangent);
-    ([first, normal.cross(first)], [long.length(), short.length()])
+    sum / total
 }

@@ -30,6 +30,9 @@ pub(super) struct Photon {
     pub turn: [[f64; 2]; 2],
     /// Half axes of the image on the plane.
     pub half: [f64; 2],
+    /// Number of the way the light took, and the share of it that did.
+    pub way: u32,
+    pub share: f64,
     /// How fast the image leaves the place that is foreseen: distance on the plane per squared distance from y.
     pub drift: f64,
 }
@@ -108,6 +111,8 @@ mod tests {
             along: [DVec3::X, DVec3::Y],
             turn: [[0.1, 0.02], [0.0, -0.2]],
             half: [0.02, 0.1],
+            way: 0,
+            share: 1.0,
             drift: 0.5,
         };
         let forecast = photon.forecast(DVec3::new(0.1, -0.1, 0.0));

@@ -6,6 +6,12 @@ use crate::math::{Bounds, DVec3};
 /// The most photons of one box.
 pub(super) const HANDFUL: usize = 8;
 
+/// By how many times its longest side a box is widened.
+const MARGIN: f64 = 2.0;
+
+/// Of forecasts that hold nowhere else.
+const LARGEST_DRIFT: f64 = 1e6;
+
 /// A tree of boxes over the photons, halved along the longest side until few are left in each (Bentley,
 /// Multidimensional Binary Search Trees, 1975).
 #[derive(Debug)]
@@ -58,7 +64,7 @@ fn split(photons: &mut [Photon], first: u32, nodes: &mut Vec<Node>) {
     if photons.len() <= HANDFUL {
         learn_drift(photons);
         // Around few photons the light does not end where the last one landed.
-        let margin = DVec3::splat(0.5 * extent.max_element() + 1e-9);
+        let margin = DVec3::splat(MARGIN * extent.max_element() + 1e-9);
         let bounds = Bounds { minimum: bounds.minimum - margin, maximum: bounds.maximum + margin };
         nodes.push(Node::Leaf { first, last: first + photons.len() as u32, bounds });
         return;
@@ -78,7 +84,8 @@ fn split(photons: &mut [Photon], first: u32, nodes: &mut Vec<Node>) {
     split(above, first + middle as u32, nodes);
 }
 
-/// Learns from neighbours how soon a photon's forecast goes wrong: the nearest miss of a neighbour's direction.
+/// Learns from neighbours how soon a photon's forecast goes wrong: by the middle one of their misses. The nearest miss alone
+/// trusts forecasts too far, and what they miss then is found by chance only.
 fn learn_drift(photons: &mut [Photon]) {
     let known = photons.to_vec();
     for (index, photon) in photons.iter_mut().enumerate() {
@@ -89,9 +96,11 @@ fn learn_drift(photons: &mut [Photon]) {
                 straight.miss(&straight.forecast(other.position), other.towards) - photon.half[0].max(photon.half[1]);
             (squared > 0.0).then(|| miss.max(0.0) / squared)
         });
-        photon.drift = misses.fold(f64::INFINITY, f64::min).min(1e6);
-        if known.len() == 1 {
-            photon.drift = 0.0;
-        }
+        let mut misses: Vec<f64> = misses.collect();
+        misses.sort_by(f64::total_cmp);
+        photon.drift = match known.len() {
+            1 => 0.0,
+            _ => misses.get(misses.len() / 2).map_or(LARGEST_DRIFT, |drift| drift.min(LARGEST_DRIFT)),
+        };
     }
 }
