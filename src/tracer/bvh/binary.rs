@@ -90,6 +90,19 @@ impl BinaryTree {
         index
     }
 
+    /// All nodes, each after its parent.
+    pub(super) fn parents_first(&self) -> Vec<usize> {
+        let mut order = Vec::with_capacity(self.nodes.len());
+        let mut open = if self.nodes.is_empty() { vec![] } else { vec![0] };
+        while let Some(index) = open.pop() {
+            order.push(index);
+            if let BinaryNode::Inner { left, right } = self.nodes[index].1 {
+                open.extend([right, left]);
+            }
+        }
+        order
+    }
+
     /// Inner nodes on the longest way from the root to a leaf, counted without recursion.
     pub(super) fn depth(&self) -> usize {
         let mut deepest = 0;

@@ -13,6 +13,7 @@
 mod binary;
 mod float_box;
 mod hierarchy;
+mod merge;
 mod node;
 mod slabs;
 mod traversal;
