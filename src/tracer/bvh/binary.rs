@@ -12,8 +12,9 @@ use crate::math::Vec3;
 /// Share of the nodes that the optimiser tries to move to a better place.
 const REINSERTED: f32 = 0.05;
 
-/// The same once leaves are made: a slower build for somewhat faster incoherent rays.
-const REINSERTED_AFTER: f32 = 0.5;
+/// The same once leaves are made. Half of the nodes would make the build of a million triangles 1.6 times as long (1.05
+/// instead of 0.64 s), for no ray a second more: measured side by side, within 2 % either way.
+const REINSERTED_AFTER: f32 = 0.1;
 
 /// Cost of testing a node, in tests of a leaf's primitive: large, because a leaf is tested as a whole.
 const TRAVERSAL_COST: f32 = 3.0;
@@ -88,6 +89,19 @@ impl BinaryTree {
             self.nodes[index].1 = BinaryNode::Inner { left, right };
         }
         index
+    }
+
+    /// All nodes, each after its parent.
+    pub(super) fn parents_first(&self) -> Vec<usize> {
+        let mut order = Vec::with_capacity(self.nodes.len());
+        let mut open = if self.nodes.is_empty() { vec![] } else { vec![0] };
+        while let Some(index) = open.pop() {
+            order.push(index);
+            if let BinaryNode::Inner { left, right } = self.nodes[index].1 {
+                open.extend([right, left]);
+            }
+        }
+        order
     }
 
     /// Inner nodes on the longest way from the root to a leaf, counted without recursion.

@@ -35,8 +35,8 @@ impl FloatBox {
     }
 
     /// Half the area of the six sides, which is proportional to the chance that a random ray hits the box.
-    pub(super) fn half_area(&self) -> f32 {
-        let extent = self.maximum - self.minimum;
+    pub(super) fn half_area(&self) -> f64 {
+        let extent = self.maximum.as_dvec3() - self.minimum.as_dvec3();
         (extent.x + extent.y) * extent.z + extent.x * extent.y
     }
 

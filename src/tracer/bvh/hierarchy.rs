@@ -1,8 +1,9 @@
 //! The hierarchy: built once, traversed by any number of threads.
 
 use super::FloatBox;
-use super::binary::{BinaryNode, BinaryTree};
-use super::node::{Child, Node, WIDTH};
+use super::binary::BinaryTree;
+use super::merge::Merge;
+use super::node::Node;
 use crate::memory::on_large_pages;
 
 /// The most boxes a leaf holds.
@@ -20,9 +21,9 @@ pub struct Hierarchy {
     pub(super) nodes: Vec<Node>,
     pub(super) bounds: FloatBox,
     /// Where the leaves begin in `order`; one more than there are leaves.
-    leaf_starts: Vec<u32>,
+    pub(super) leaf_starts: Vec<u32>,
     /// Numbers of the boxes, leaf by leaf.
-    order: Vec<u32>,
+    pub(super) order: Vec<u32>,
 }
 
 impl Hierarchy {
@@ -49,20 +50,15 @@ impl Hierarchy {
         self.bounds
     }
 
-    /// Merges a binary tree to nodes of four; `None` if the result is deeper than [`DEPTH_LIMIT`].
+    /// Merges a binary tree to nodes of eight; `None` if the result is deeper than [`DEPTH_LIMIT`].
     pub(super) fn merged(tree: BinaryTree) -> Option<Self> {
         if tree.depth() > BINARY_DEPTH_LIMIT {
             return None;
         }
         let bounds = tree.nodes.first().map_or(FloatBox::EMPTY, |root| root.0);
-        let hierarchy = Self { nodes: vec![Node::EMPTY], bounds, leaf_starts: vec![0], order: Vec::new() };
-        let mut merge = Merge { tree: &tree, hierarchy, deepest: 1 };
-        match tree.nodes.first() {
-            None => {}
-            Some((_, BinaryNode::Leaf { .. })) => merge.fill(0, &[0], 1),
-            Some((_, BinaryNode::Inner { left, right })) => merge.fill(0, &[*left, *right], 1),
-        }
-        (merge.deepest <= DEPTH_LIMIT).then(|| merge.hierarchy.on_large_pages())
+        let empty = Self { nodes: vec![Node::EMPTY], bounds, leaf_starts: vec![0], order: Vec::new() };
+        let (hierarchy, depth) = Merge::new(&tree, empty).run();
+        (depth <= DEPTH_LIMIT).then(|| hierarchy.on_large_pages())
     }
 
     /// The same with its nodes, which rays visit at random, on large pages.
@@ -70,58 +66,5 @@ impl Hierarchy {
         let mut nodes = on_large_pages(self.nodes.len());
         nodes.append(&mut self.nodes);
         Self { nodes, ..self }
-    }
-}
-
-/// The merging of a binary tree.
-struct Merge<'a> {
-    tree: &'a BinaryTree,
-    hierarchy: Hierarchy,
-    deepest: usize,
-}
-
-impl Merge<'_> {
-    /// Fills node `index` with the given binary nodes, or rather with what they open up to.
-    fn fill(&mut self, index: usize, members: &[usize], depth: usize) {
-        self.deepest = self.deepest.max(depth);
-        let members = self.opened(members);
-        let kinds = members.iter().map(|&member| self.tree.nodes[member]).collect::<Vec<_>>();
-        let first = self.hierarchy.nodes.len();
-        let inner = kinds.iter().filter(|(_, kind)| matches!(kind, BinaryNode::Inner { .. })).count();
-        self.hierarchy.nodes.resize(first + inner, Node::EMPTY);
-        let mut next = first;
-        for (slot, (bounds, kind)) in kinds.into_iter().enumerate() {
-            let child = match kind {
-                BinaryNode::Leaf { first, count } => self.leaf(first, count),
-                BinaryNode::Inner { left, right } => {
-                    next += 1;
-                    self.fill(next - 1, &[left, right], depth + 1);
-                    Child::node(next - 1)
-                }
-            };
-            self.hierarchy.nodes[index].set(slot, &bounds, child);
-        }
-    }
-
-    /// Replaces the largest inner node by its two children until there are four (or leaves only).
-    fn opened(&self, members: &[usize]) -> Vec<usize> {
-        let mut members = members.to_vec();
-        while members.len() < WIDTH {
-            let area = |position: usize| self.tree.nodes[members[position]].0.half_area();
-            let is_inner = |&position: &usize| matches!(self.tree.nodes[members[position]].1, BinaryNode::Inner { .. });
-            let inner = (0..members.len()).filter(is_inner);
-            let Some(largest) = inner.max_by(|&a, &b| area(a).total_cmp(&area(b)).then(b.cmp(&a))) else { break };
-            if let BinaryNode::Inner { left, right } = self.tree.nodes[members[largest]].1 {
-                members.splice(largest..=largest, [left, right]);
-            }
-        }
-        members
-    }
-
-    fn leaf(&mut self, first: usize, count: usize) -> Child {
-        let number = self.hierarchy.leaf_count();
-        self.hierarchy.order.extend_from_slice(&self.tree.order[first..first + count]);
-        self.hierarchy.leaf_starts.push(self.hierarchy.order.len() as u32);
-        Child::leaf(number)
     }
 }

@@ -1,11 +1,17 @@
-//! A node of four children.
+//! A node of eight children.
 
 use glam::Vec4;
 
 use super::FloatBox;
 
 /// Children of a node.
-pub(super) const WIDTH: usize = 4;
+pub(super) const WIDTH: usize = 8;
+
+/// Children that one instruction handles.
+pub(super) const LANES: usize = 4;
+
+/// A number for each child.
+pub(super) type Row = [Vec4; WIDTH / LANES];
 
 /// What a slot of a node leads to: another node, or a leaf. Fits a register and is kept on the traversal stack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,36 +52,28 @@ impl Child {
     }
 }
 
-/// Four boxes, a plane of all four in one vector, and what they hold: two cache lines.
+/// Eight boxes, a plane of four of them in one vector, and what they hold: four cache lines.
 #[derive(Debug, Clone)]
 #[repr(C, align(64))]
 pub(super) struct Node {
-    /// `x`, `y`, `z` of the minima, then of the maxima: of all four children each.
-    pub(super) planes: [Vec4; 6],
+    /// `x`, `y`, `z` of the minima, then of the maxima: of all children each.
+    pub(super) planes: [Row; 6],
     pub(super) children: [Child; WIDTH],
     padding: [u32; WIDTH],
 }
 
 impl Node {
     /// A node without children: empty boxes (minimum above maximum) that no ray enters.
-    pub(super) const EMPTY: Self = Self {
-        planes: [
-            Vec4::INFINITY,
-            Vec4::INFINITY,
-            Vec4::INFINITY,
-            Vec4::NEG_INFINITY,
-            Vec4::NEG_INFINITY,
-            Vec4::NEG_INFINITY,
-        ],
-        children: [Child(0); WIDTH],
-        padding: [0; WIDTH],
+    pub(super) const EMPTY: Self = {
+        let (above, below) = ([Vec4::INFINITY; WIDTH / LANES], [Vec4::NEG_INFINITY; WIDTH / LANES]);
+        Self { planes: [above, above, above, below, below, below], children: [Child(0); WIDTH], padding: [0; WIDTH] }
     };
 
     /// Puts a child into a slot.
     pub(super) fn set(&mut self, slot: usize, bounds: &FloatBox, child: Child) {
         for axis in 0..3 {
-            self.planes[axis][slot] = bounds.minimum[axis];
-            self.planes[axis + 3][slot] = bounds.maximum[axis];
+            self.planes[axis][slot / LANES][slot % LANES] = bounds.minimum[axis];
+            self.planes[axis + 3][slot / LANES][slot % LANES] = bounds.maximum[axis];
         }
         self.children[slot] = child;
     }

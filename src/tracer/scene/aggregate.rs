@@ -95,13 +95,18 @@ impl Aggregate {
     #[inline(never)]
     fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, nearest: &mut Hit) {
         let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return };
-        boxed.hierarchy.traverse(&walk, nearest.t, |leaf| {
-            for &index in boxed.hierarchy.leaf(leaf) {
-                let shape = boxed.shapes[index as usize];
-                self.primitives[shape as usize].find_nearer(ray, shape, nearest);
-            }
-            Visit::Closer(nearest.t)
-        });
+        boxed.hierarchy.traverse(
+            &walk,
+            nearest.t,
+            |_| {},
+            |leaf| {
+                for &index in boxed.hierarchy.leaf(leaf) {
+                    let shape = boxed.shapes[index as usize];
+                    self.primitives[shape as usize].find_nearer(ray, shape, nearest);
+                }
+                Visit::Closer(nearest.t)
+            },
+        );
     }
 
     /// True if something that casts shadows is met within `limit`.
@@ -130,10 +135,15 @@ impl Aggregate {
         let Some(boxed) = &self.hierarchy else { return false };
         let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return false };
         let mut found = false;
-        boxed.hierarchy.traverse(&walk, limit, |leaf| {
-            found = boxed.hierarchy.leaf(leaf).iter().any(|&index| occludes(boxed.shapes[index as usize]));
-            if found { Visit::Stop } else { Visit::Continue }
-        });
+        boxed.hierarchy.traverse(
+            &walk,
+            limit,
+            |_| {},
+            |leaf| {
+                found = boxed.hierarchy.leaf(leaf).iter().any(|&index| occludes(boxed.shapes[index as usize]));
+                if found { Visit::Stop } else { Visit::Continue }
+            },
+        );
         found
     }
 

@@ -18,7 +18,7 @@ pub use wavefront::{ObjFile, ObjMaterial};
 use crate::bvh::{FloatBox, Hierarchy, HierarchyRay, Visit};
 use crate::error::{Error, Result};
 use crate::math::{Bounds, DVec3, Side};
-use crate::memory::on_large_pages;
+use crate::memory::{on_large_pages, prefetch};
 use departure::MeshDeparture;
 use packet::{Packet, PacketRay};
 
@@ -95,8 +95,9 @@ impl Mesh {
         leaving: Option<(u32, Side)>,
     ) -> Option<MeshHit> {
         let query = Query::new(self, origin, direction, leaving)?;
+        let announce = |leaf: u32| prefetch(&self.packets[leaf as usize]);
         let mut closest: Option<MeshHit> = None;
-        self.hierarchy.traverse(&query.ray, t_max, |leaf| {
+        self.hierarchy.traverse(&query.ray, t_max, announce, |leaf| {
             let limit = closest.map_or(t_max, |hit| hit.t);
             query.hits(&self.packets[leaf as usize], |hit| {
                 // Of two hits at the same place the lower number counts, in whatever order they are found.
@@ -114,8 +115,9 @@ impl Mesh {
     /// Whether anything is hit at a ray parameter above 0 and below `t_max`: see [`Mesh::intersect`].
     pub fn occluded(&self, origin: DVec3, direction: DVec3, t_max: f64, leaving: Option<(u32, Side)>) -> bool {
         let Some(query) = Query::new(self, origin, direction, leaving) else { return false };
+        let announce = |leaf: u32| prefetch(&self.packets[leaf as usize]);
         let mut found = false;
-        self.hierarchy.traverse(&query.ray, t_max, |leaf| {
+        self.hierarchy.traverse(&query.ray, t_max, announce, |leaf| {
             found = query.hits(&self.packets[leaf as usize], |hit| hit.t < t_max);
             if found { Visit::Stop } else { Visit::Continue }
         });
