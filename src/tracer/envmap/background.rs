@@ -4,7 +4,7 @@ use super::axis::SignedAxis;
 use super::lazy_image::LazyImage;
 use crate::math::functions::{arctan2_turns, cos, floor, sin};
 use crate::math::{DVec3, Vec3};
-use crate::picture::{DeferredColour, Footprint};
+use crate::picture::Footprint;
 
 /// Three colours blended by the height of the direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -47,16 +47,12 @@ impl Equirectangular {
     /// The colour in a unit direction; black if the picture cannot be decoded.
     #[inline]
     pub fn sample(&self, direction: DVec3) -> Vec3 {
-        self.deferred(direction).colour()
-    }
-
-    /// The colour in a unit direction, to be read later.
-    #[inline]
-    pub fn deferred(&self, direction: DVec3) -> DeferredColour<'_> {
         let (u, v) = self.coordinates(direction);
-        let Some(picture) = self.image.picture() else { return DeferredColour::Known(Vec3::ZERO) };
-        let (width, height) = (picture.width(), picture.height());
-        picture.deferred(&Footprint::around(u * width as f32, v * height as f32, width, height))
+        self.image.picture().map_or(Vec3::ZERO, |picture| {
+            let (width, height) = (picture.width(), picture.height());
+            let footprint = Footprint::around(u * width as f32, v * height as f32, width, height);
+            picture.interpolated(&footprint)
+        })
     }
 
     /// Place in the picture in `[0, 1]` from the left and from the top.

@@ -4,7 +4,6 @@ use super::background::{Equirectangular, Gradient};
 use super::cube_map::CubeMap;
 use crate::error::Error;
 use crate::math::{DVec3, Vec3};
-use crate::picture::DeferredColour;
 
 /// The surroundings of a scene, infinitely far away: only the direction counts.
 #[derive(Debug)]
@@ -37,22 +36,6 @@ impl Environment {
             EnvironmentKind::Equirectangular(map) => map.sample(direction),
         };
         radiance * self.scale
-    }
-
-    /// What [`Environment::radiance`] reads, to be read later by [`Environment::deferred_radiance`].
-    pub fn deferred(&self, direction: DVec3) -> DeferredColour<'_> {
-        match &self.kind {
-            EnvironmentKind::CubeMap(map) => map.deferred(direction.as_vec3()),
-            EnvironmentKind::Constant(radiance) => DeferredColour::Known(*radiance),
-            EnvironmentKind::Gradient(gradient) => DeferredColour::Known(gradient.sample(direction)),
-            EnvironmentKind::Equirectangular(map) => map.deferred(direction),
-        }
-    }
-
-    /// Linear radiance that was put off: the same bits as at once.
-    #[inline]
-    pub fn deferred_radiance(&self, deferred: &DeferredColour) -> Vec3 {
-        deferred.colour() * self.scale
     }
 
     /// The cube map, if the environment is one.

@@ -1,6 +1,6 @@
 use super::*;
 use crate::error::Error;
-use crate::math::{DVec3, Vec3};
+use crate::math::Vec3;
 use crate::picture::{Footprint, Format, Header, Picture, Texels};
 use proptest::prelude::*;
 
@@ -124,55 +124,4 @@ fn all_at_once_decodes_what_is_reached_and_is_black_where_that_fails() {
     assert_eq!(map.looked_at(), [Face::PosX, Face::PosY]);
     assert_eq!((map.errors().count(), colours[1]), (1, Vec3::ZERO));
     assert!(colours[0] == colours[2] && colours[0] != Vec3::ZERO);
-}
-
-#[test]
-fn radiance_put_off_is_radiance_at_once() {
-    let gradient =
-        Gradient { up: SignedAxis::POS_Y, zenith: Vec3::X, horizon: Vec3::new(0.3, 0.5, 0.7), nadir: Vec3::Z };
-    let panorama = |width, height, floats| {
-        let image = LazyImage::ready(noise(width, height, floats, 7));
-        EnvironmentKind::Equirectangular(Equirectangular { image, up: SignedAxis::POS_Z, turns: 0.3 })
-    };
-    let images = std::array::from_fn(|image| LazyImage::ready(noise(9, 9, false, image as u32)));
-    let map = CubeMap::new(images, Preset::Course.lookup(), CubeFilter::Seamless);
-    let kinds = [
-        EnvironmentKind::Constant(Vec3::new(0.1, 0.2, 0.3)),
-        EnvironmentKind::Gradient(gradient),
-        panorama(1, 1, false),
-        panorama(2, 1, false),
-        panorama(1, 3, true),
-        panorama(16, 8, false),
-        panorama(16, 8, true),
-        EnvironmentKind::CubeMap(Box::new(map)),
-    ];
-    let directions = scattered_directions().into_iter().map(Vec3::as_dvec3).filter(|direction| direction.is_finite());
-    let directions: Vec<DVec3> = directions.filter_map(DVec3::try_normalize).collect();
-    for kind in kinds {
-        let environment = Environment { kind, scale: 1.7 };
-        let (at_once, put_off): (Vec<Vec3>, Vec<Vec3>) = directions
-            .iter()
-            .map(|&direction| {
-                let deferred = environment.deferred(direction);
-                deferred.prefetch();
-                (environment.radiance(direction), environment.deferred_radiance(&deferred))
-            })
-            .unzip();
-        assert_eq!(bits(&put_off), bits(&at_once), "{environment:?}");
-    }
-}
-
-/// Across the left and right border too, where the two columns are not neighbours in memory.
-#[test]
-fn panoramas_are_the_weighted_sum_of_the_footprint() {
-    let (width, height) = (16, 8);
-    let picture = noise(width, height, true, 3);
-    let map = Equirectangular { image: LazyImage::ready(picture.clone()), up: SignedAxis::POS_Y, turns: 0.0 };
-    for (u, v) in (0..64).flat_map(|i| (0..32).map(move |j| (f64::from(i) / 64.0 + 1e-4, f64::from(j) / 32.0 + 1e-4))) {
-        let direction = map.direction(u, v);
-        let (u, v) = map.coordinates(direction);
-        let footprint = Footprint::around(u * width as f32, v * height as f32, width, height);
-        let expected = footprint.interpolate(|column, row| picture.texel(column, row));
-        assert_eq!(bits(&[map.sample(direction)]), bits(&[expected]), "{u} {v}");
-    }
 }

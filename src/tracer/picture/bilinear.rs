@@ -68,15 +68,6 @@ impl Footprint {
         [(left, top, top_left), (right, top, top_right), (left, bottom, bottom_left), (right, bottom, bottom_right)]
     }
 
-    /// The footprint as a square of a picture `width` texels wide, if its columns and rows are neighbours.
-    #[inline(always)]
-    pub(super) fn square(&self, width: usize) -> Option<TexelSquare> {
-        let ([left, right], [top, bottom]) = (self.columns, self.rows);
-        let Self { horizontal, vertical, .. } = *self;
-        let neighbours = right == left + 1 && bottom == top + 1;
-        neighbours.then_some(TexelSquare { first: top * width + left, horizontal, vertical })
-    }
-
     /// Interpolates the colours that `texel(column, row)` tells.
     #[inline(always)]
     pub fn interpolate(&self, texel: impl Fn(usize, usize) -> Vec3) -> Vec3 {

@@ -8,7 +8,7 @@
 //!     deferred       place  place  place  . . colour  colour  colour
 //! ```
 
-use super::{Footprint, Picture, TexelSquare};
+use super::{Picture, TexelSquare};
 use crate::math::Vec3;
 
 /// A linear colour and where it is to be read, if anywhere.
@@ -63,14 +63,5 @@ impl Picture {
         let index = |position: f32, count: usize| (position as i32).clamp(0, count as i32 - 1) as usize;
         let (column, row) = (index(x, self.width()), index(y, self.height()));
         DeferredColour::Texel { picture: self, index: row * self.width() + column }
-    }
-
-    /// The colour under a footprint within the picture, that [`Picture::interpolated`] gives.
-    #[inline(always)]
-    pub fn deferred(&self, footprint: &Footprint) -> DeferredColour<'_> {
-        match footprint.square(self.width()) {
-            Some(square) => DeferredColour::Square { picture: self, square },
-            None => DeferredColour::Known(self.interpolated(footprint)),
-        }
     }
 }
