@@ -51,6 +51,19 @@ pub fn prefetch<T>(value: &T) {
     let _ = value;
 }
 
+/// The same for an element of a slice; nothing is fetched for an index beyond its end.
+#[inline(always)]
+pub fn prefetch_element<T>(slice: &[T], index: usize) {
+    #[cfg(target_arch = "x86_64")]
+    {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: a hint, which reads nothing and changes nothing, whatever the address.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(slice.as_ptr().wrapping_add(index).cast()) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = (slice, index);
+}
+
 /// Asks for large pages wherever a whole one fits into an allocation.
 fn ask_within(allocation: *mut u8, length: usize) {
     let start = allocation.addr();

@@ -33,6 +33,29 @@ pub fn encode_srgb(linear: f32) -> f32 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * power(linear, 1.0 / 2.4) - 0.055 }
 }
 
+/// The 8-bit code of a linear channel: [`encode_srgb`] times 255, rounded.
+///
+/// The power in the encoding takes longer than all else; it is computed only where it decides between two codes.
+pub fn encode_srgb8(linear: f32) -> u8 {
+    let code = BETWEEN_CODES.partition_point(|&between| between <= linear);
+    let close = |index: usize| BETWEEN_CODES.get(index).is_some_and(|between| (linear / between - 1.0).abs() < 1e-4);
+    if close(code) || code > 0 && close(code - 1) {
+        return (encode_srgb(linear) * 255.0).round() as u8;
+    }
+    code as u8
+}
+
+/// Linear light halfway between each 8-bit code and the next.
+static BETWEEN_CODES: [f32; 255] = {
+    let mut between = [0.0; 255];
+    let mut code = 0;
+    while code < 255 {
+        between[code] = decode_srgb((code as f64 + 0.5) / 255.0) as f32;
+        code += 1;
+    }
+    between
+};
+
 /// The linear value of an sRGB-encoded channel in `[0, 1]`.
 pub const fn decode_srgb(encoded: f64) -> f64 {
     if encoded <= 0.04045 {
@@ -87,6 +110,21 @@ mod tests {
             assert_eq!((encode_srgb(decode_srgb16(code)) * 65535.0).round() as u16, code);
         }
         assert_eq!(decode_srgb16(257 * 188), SRGB8_TO_LINEAR[188]);
+    }
+
+    #[test]
+    fn codes_are_rounded_encodings() {
+        let rounded = |linear: f32| (encode_srgb(linear) * 255.0).round() as u8;
+        let special = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY, -1.0, -0.0, 0.0, 1e-40, 1.0, 1.0_f32.next_up(), 9e9];
+        // All floats at the ends of the range in which the power decides, and many in the middle of it and elsewhere.
+        let near = BETWEEN_CODES.iter().flat_map(|between| {
+            let around = |linear: f32| (0..64).map(move |step| f32::from_bits(linear.to_bits() - 32 + step));
+            around(between * 0.9999).chain(around(*between)).chain(around(between * 1.0001))
+        });
+        let even = (0..100_000).map(|step| step as f32 * 1.1e-5);
+        for linear in special.into_iter().chain(near).chain(even) {
+            assert_eq!(encode_srgb8(linear), rounded(linear), "{linear}");
+        }
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! From unbounded radiance to the `[0, 1]` of a display.
 
-use super::{encode_srgb, luminance};
+use super::{encode_srgb, encode_srgb8, luminance};
 use crate::math::Vec3;
 
 /// How radiance above 1 is brought into range before it is sRGB-encoded.
@@ -22,11 +22,23 @@ impl ToneMap {
 
     /// The display colour under an encoding, each channel in `[0, 1]`.
     pub fn display_as(self, colour: Vec3, encoding: Encoding) -> Vec3 {
-        let mapped = match self {
+        Vec3::from_array(self.in_range(colour).to_array().map(|channel| encoding.code(channel)))
+    }
+
+    /// The same as bytes: times 255, rounded.
+    pub fn bytes_as(self, colour: Vec3, encoding: Encoding) -> [u8; 3] {
+        self.in_range(colour).to_array().map(|channel| match encoding {
+            Encoding::Srgb => encode_srgb8(channel),
+            Encoding::Linear => (encoding.code(channel) * 255.0).round() as u8,
+        })
+    }
+
+    /// Linear, and in range but for what the encoding cuts off.
+    fn in_range(self, colour: Vec3) -> Vec3 {
+        match self {
             ToneMap::Clamp => colour,
             ToneMap::Reinhard => colour / (1.0 + luminance(colour).max(0.0)),
-        };
-        Vec3::from_array(mapped.to_array().map(|channel| encoding.code(channel)))
+        }
     }
 }
 

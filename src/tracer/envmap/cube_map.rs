@@ -2,12 +2,12 @@
 
 use super::face::Face;
 use super::lazy_image::LazyImage;
-use super::lookup::{FacePoint, ImagePoint, Lookup};
+use super::lookup::{FacePoint, Lookup};
 use super::seamless;
 use super::source::Skybox;
 use crate::error::{Error, Result};
 use crate::math::Vec3;
-use crate::picture::Picture;
+use crate::picture::{DeferredColour, Picture};
 
 /// How a colour is read between texels.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize, clap::ValueEnum)]
@@ -30,6 +30,9 @@ pub struct CubeMap {
     /// By the name of the image, in the order of [`Face::ALL`].
     images: [LazyImage; 6],
 }
+
+/// Directions that [`CubeMap::sample_all`] has on their way from memory at a time.
+const BLOCK: usize = 32;
 
 impl CubeMap {
     /// A cube map that decodes an image when a direction first reaches it.
@@ -68,44 +71,74 @@ impl CubeMap {
 
     /// Linear colour seen in a direction of any length; black if the image cannot be decoded, see
     /// [`CubeMap::errors`].
-    #[inline]
+    #[inline(never)]
     pub fn sample(&self, direction: Vec3) -> Vec3 {
+        self.deferred(direction).colour()
+    }
+
+    /// Linear colours seen in many directions, each the same bits as [`CubeMap::sample`] gives. Panics unless there is
+    /// room for as many.
+    ///
+    /// Measured with directions that have nothing to do with each other, in six pictures of 2048 x 2048 texels: 2.5 to 4
+    /// times as many a second as one by one; of neighbouring ones 1.2 times as many.
+    pub fn sample_all(&self, directions: &[Vec3], colours: &mut [Vec3]) {
+        assert_eq!(directions.len(), colours.len(), "one colour for each direction");
+        let mut block = [DeferredColour::Known(Vec3::ZERO); BLOCK];
+        for (directions, colours) in directions.chunks(BLOCK).zip(colours.chunks_mut(BLOCK)) {
+            for (deferred, &direction) in block.iter_mut().zip(directions) {
+                *deferred = self.deferred(direction);
+                deferred.prefetch();
+            }
+            for (colour, deferred) in colours.iter_mut().zip(&block) {
+                *colour = deferred.colour();
+            }
+        }
+    }
+
+    /// Linear colour seen in a direction, to be read later; an image that the direction reaches is decoded now if it was
+    /// not yet.
+    #[inline(always)]
+    fn deferred(&self, direction: Vec3) -> DeferredColour<'_> {
         // Code of its own for every face: the processor foresees the branch and fetches row and picture of the table
         // while u and v are still being computed (measured: 1.5 times as fast as one code for all).
         match Lookup::face_towards(direction) {
-            Face::PosX => self.sample_on::<{ Face::PosX as usize }>(direction),
-            Face::NegX => self.sample_on::<{ Face::NegX as usize }>(direction),
-            Face::PosY => self.sample_on::<{ Face::PosY as usize }>(direction),
-            Face::NegY => self.sample_on::<{ Face::NegY as usize }>(direction),
-            Face::PosZ => self.sample_on::<{ Face::PosZ as usize }>(direction),
-            Face::NegZ => self.sample_on::<{ Face::NegZ as usize }>(direction),
+            Face::PosX => self.deferred_on(Face::PosX, direction),
+            Face::NegX => self.deferred_on(Face::NegX, direction),
+            Face::PosY => self.deferred_on(Face::PosY, direction),
+            Face::NegY => self.deferred_on(Face::NegY, direction),
+            Face::PosZ => self.deferred_on(Face::PosZ, direction),
+            Face::NegZ => self.deferred_on(Face::NegZ, direction),
         }
     }
 
     /// Linear colour seen in a direction that points to the face.
-    #[inline(never)]
-    fn sample_on<const FACE: usize>(&self, direction: Vec3) -> Vec3 {
-        self.sample_point(self.lookup.locate_on(Face::ALL[FACE], direction))
-    }
-
-    /// Linear colour at a place on the cube.
     #[inline(always)]
-    pub fn sample_point(&self, point: FacePoint) -> Vec3 {
-        let place = self.lookup.image_point(point);
-        let Some(picture) = self.images[place.image.index()].picture() else { return Vec3::ZERO };
-        if self.filter == CubeFilter::Bilinear {
-            return place.bilinear(picture);
-        }
-        self.sample_otherwise(point, place, picture)
+    fn deferred_on(&self, face: Face, direction: Vec3) -> DeferredColour<'_> {
+        self.deferred_at(self.lookup.locate_on(face, direction))
     }
 
-    /// The filters beside the default one, kept out of its way.
-    #[inline(never)]
-    fn sample_otherwise(&self, point: FacePoint, place: ImagePoint, picture: &Picture) -> Vec3 {
+    /// Linear colour at a place on the cube, to be read later.
+    #[inline(always)]
+    fn deferred_at(&self, point: FacePoint) -> DeferredColour<'_> {
+        let place = self.lookup.image_point(point);
+        let Some(picture) = self.images[place.image.index()].picture() else {
+            return DeferredColour::Known(Vec3::ZERO);
+        };
         match self.filter {
-            CubeFilter::Seamless => seamless::sample(self, point, picture),
-            _ => place.nearest(picture),
+            CubeFilter::Bilinear => place.deferred_bilinear(picture),
+            CubeFilter::Nearest => place.deferred_nearest(picture),
+            CubeFilter::Seamless => match self.across_seams(point, picture) {
+                Some(colour) => DeferredColour::Known(colour),
+                None => place.deferred_bilinear(picture),
+            },
         }
+    }
+
+    /// Kept out of the other filters' way.
+    #[inline(never)]
+    fn across_seams(&self, point: FacePoint, picture: &Picture) -> Option<Vec3> {
+        let corners = seamless::Corners::new(self, point, picture.width())?;
+        Some(corners.blend(corners.colours(self)))
     }
 
     /// The picture an image name stands for, decoded now if it was not yet.

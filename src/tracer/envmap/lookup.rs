@@ -15,7 +15,7 @@ use super::axis::SignedAxis;
 use super::face::Face;
 use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
-use crate::picture::Picture;
+use crate::picture::{DeferredColour, Picture};
 
 /// A lookup table: DESIGN's "per face the image it reads, the signed axis of u, the signed axis of v; and once for
 /// the table where v = 0 lies". The tracer, the baker and every check go through it.
@@ -78,18 +78,24 @@ impl ImagePoint {
         (self.right * picture.width() as i32 as f32, self.down * picture.height() as i32 as f32)
     }
 
-    /// The picture's colour here, bilinear between texel centres, clamped at the border.
-    #[inline]
-    pub fn bilinear(&self, picture: &Picture) -> Vec3 {
-        let (x, y) = self.texels(picture);
-        picture.bilinear(x, y)
-    }
-
     /// The colour of the texel this place falls into.
     #[inline]
     pub fn nearest(&self, picture: &Picture) -> Vec3 {
+        self.deferred_nearest(picture).colour()
+    }
+
+    /// The same, to be read later.
+    #[inline(always)]
+    pub(super) fn deferred_nearest<'a>(&self, picture: &'a Picture) -> DeferredColour<'a> {
         let (x, y) = self.texels(picture);
-        picture.nearest(x, y)
+        picture.deferred_nearest(x, y)
+    }
+
+    /// The picture's colour here, bilinear between texel centres, clamped at the border; to be read later.
+    #[inline(always)]
+    pub(super) fn deferred_bilinear<'a>(&self, picture: &'a Picture) -> DeferredColour<'a> {
+        let (x, y) = self.texels(picture);
+        picture.deferred_bilinear(x, y)
     }
 }
 

@@ -14,7 +14,6 @@
 use super::cube_map::CubeMap;
 use super::lookup::{FacePoint, ImagePoint};
 use crate::math::Vec3;
-use crate::picture::Picture;
 
 /// The four texels around a place near the border of a face, on the face itself and its neighbours.
 pub(super) struct Corners {
@@ -25,14 +24,6 @@ pub(super) struct Corners {
     across: f32,
     /// Share of the high v.
     along: f32,
-}
-
-/// The colour at a place on the cube, from the four nearest texel centres on this face and its neighbours.
-pub(super) fn sample(map: &CubeMap, point: FacePoint, picture: &Picture) -> Vec3 {
-    match Corners::new(map, point, picture.width()) {
-        Some(corners) => corners.blend(corners.colours(map)),
-        None => map.lookup().image_point(point).bilinear(picture),
-    }
 }
 
 impl Corners {

@@ -76,6 +76,15 @@ impl Footprint {
     }
 }
 
+/// A [`Footprint`] in few bytes: two neighbouring columns and rows of a picture.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TexelSquare {
+    /// Number of the top left texel, counted row by row from the top.
+    pub(super) first: usize,
+    horizontal: f32,
+    vertical: f32,
+}
+
 /// What the top left, top right, bottom left and bottom right texels count.
 #[inline(always)]
 fn weights(horizontal: f32, vertical: f32) -> [f32; 4] {
@@ -132,16 +141,29 @@ impl Picture {
     /// around it and clamped at the border. Texel centres are at half integers. Any `x`, `y` are allowed.
     #[inline(always)]
     pub fn bilinear(&self, x: f32, y: f32) -> Vec3 {
+        self.deferred_bilinear(x, y).colour()
+    }
+
+    /// The square of texels around the point `(x, y)`, as [`Picture::bilinear`] reads it. `None` in a picture one texel
+    /// wide or high.
+    #[inline(always)]
+    pub(super) fn square_around(&self, x: f32, y: f32) -> Option<TexelSquare> {
         let (width, height) = (self.width(), self.height());
         if width < 2 || height < 2 {
-            return self.bilinear_in_one_line(x, y);
+            return None;
         }
         let (column, horizontal) = before(x, width);
         let (row, vertical) = before(y, height);
-        let weights = weights(horizontal, vertical);
+        Some(TexelSquare { first: row * width + column, horizontal, vertical })
+    }
+
+    /// The linear colour in a square of texels.
+    #[inline(always)]
+    pub(super) fn blended(&self, square: &TexelSquare) -> Vec3 {
+        let weights = weights(square.horizontal, square.vertical);
         // Left and right texel lie side by side in memory: one bounds check a row.
-        let upper = row * width + column;
-        let lower = upper + width;
+        let upper = square.first;
+        let lower = upper + self.width();
         match self.texels() {
             Texels::Srgb8(bytes) => blend(weights, decoded_pair(bytes, upper), decoded_pair(bytes, lower)),
             Texels::Linear(colours) => blend(weights, pair(colours, upper), pair(colours, lower)),
@@ -151,7 +173,7 @@ impl Picture {
     /// A picture one texel wide or high: the texels of a pair are one and the same.
     #[cold]
     #[inline(never)]
-    fn bilinear_in_one_line(&self, x: f32, y: f32) -> Vec3 {
+    pub(super) fn bilinear_in_one_line(&self, x: f32, y: f32) -> Vec3 {
         let footprint = Footprint::new(x, y, self.width(), self.height());
         footprint.interpolate(|column, row| self.texel(column, row))
     }
@@ -159,8 +181,7 @@ impl Picture {
     /// The linear colour of the texel that the point `(x, y)` lies in, clamped at the border; NaN counts as 0.
     #[inline]
     pub fn nearest(&self, x: f32, y: f32) -> Vec3 {
-        let index = |position: f32, count: usize| (position as i32).clamp(0, count as i32 - 1) as usize;
-        self.texel(index(x, self.width()), index(y, self.height()))
+        self.deferred_nearest(x, y).colour()
     }
 }
 

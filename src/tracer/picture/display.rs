@@ -1,13 +1,12 @@
 //! Pictures as drawings hold them: four bytes a pixel, red, green, blue and opacity.
 
 use super::Raster;
-use crate::colour::ToneMap;
+use crate::colour::{Encoding, ToneMap};
 
 /// The bytes of a raster as it is displayed, sRGB-encoded and opaque, row by row from the top.
 pub fn display_bytes(raster: &Raster, tone_map: ToneMap) -> Vec<u8> {
-    let byte = |value: f32| (value * 255.0).round() as u8;
     let pixel = |&colour| {
-        let [red, green, blue] = tone_map.display(colour).to_array().map(byte);
+        let [red, green, blue] = tone_map.bytes_as(colour, Encoding::Srgb);
         [red, green, blue, 255]
     };
     raster.pixels().iter().flat_map(pixel).collect()

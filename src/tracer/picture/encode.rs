@@ -82,7 +82,8 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
     match (format, options.png_depth) {
         (OutputFormat::Png, PngDepth::Eight) => encode_png(width, height, Samples::Rgb8(&bytes(raster, options))),
         (OutputFormat::Png, PngDepth::Sixteen) => {
-            let numbers = quantised(raster, options, 65535.0, |value| value as u16);
+            let display = |colour| options.tone_map.display_as(colour, options.encoding).to_array();
+            let numbers = quantised(raster, |colour| display(colour).map(|value| (value * 65535.0).round() as u16));
             encode_png(width, height, Samples::Rgb16(&numbers))
         }
         (OutputFormat::Jpeg, _) => files::encode_jpeg(width, height, &bytes(raster, options), options.jpeg_quality),
@@ -93,22 +94,16 @@ pub fn encode(raster: &Raster, format: OutputFormat, options: &WriteOptions) -> 
     }
 }
 
-/// The display colours as whole numbers from 0 to `largest`, rounded to nearest.
-fn quantised<T: Send + Clone>(
-    raster: &Raster,
-    options: &WriteOptions,
-    largest: f32,
-    number: impl Fn(f32) -> T + Sync,
-) -> Vec<T> {
-    let display = |&colour: &Vec3| options.tone_map.display_as(colour, options.encoding).to_array();
-    let numbers = |colour| display(colour).map(|value| number((value * largest).round()));
-    let parts =
-        parallel::map(raster.pixels().chunks(4096), |pixels| pixels.iter().flat_map(&numbers).collect::<Vec<T>>());
+/// The numbers that the colours become, one after the other.
+fn quantised<T: Send + Clone>(raster: &Raster, numbers: impl Fn(Vec3) -> [T; 3] + Sync) -> Vec<T> {
+    let parts = parallel::map(raster.pixels().chunks(4096), |pixels| {
+        pixels.iter().flat_map(|&colour| numbers(colour)).collect::<Vec<T>>()
+    });
     parts.concat()
 }
 
 fn bytes(raster: &Raster, options: &WriteOptions) -> Vec<u8> {
-    quantised(raster, options, 255.0, |value| value as u8)
+    quantised(raster, |colour| options.tone_map.bytes_as(colour, options.encoding))
 }
 
 /// A raster and its side layers as an OpenEXR file: the channels R, G and B, and those of the layers, `normal.X` and so on.

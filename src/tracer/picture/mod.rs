@@ -2,6 +2,7 @@
 
 mod bilinear;
 mod decode;
+mod deferred;
 mod display;
 mod encode;
 mod lay;
@@ -11,8 +12,9 @@ mod resize;
 mod texels;
 mod texture;
 
-pub use bilinear::Footprint;
+pub use bilinear::{Footprint, TexelSquare};
 pub use decode::{decode, read, read_file_header, read_header};
+pub use deferred::DeferredColour;
 pub use display::{display_bytes, without_opacity};
 pub use encode::{Extras, SideLayer, WriteOptions, encode, write, write_with};
 pub use raster::Raster;

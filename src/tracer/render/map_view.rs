@@ -2,6 +2,7 @@
 
 use super::AxisShot;
 use crate::envmap::{CubeMap, SignedAxis};
+use crate::math::Vec3;
 use crate::picture::Raster;
 
 impl AxisShot {
@@ -11,13 +12,17 @@ impl AxisShot {
         let image = map.lookup().row(self.direction).image;
         let texels = map.picture(image).map_or(1, |picture| picture.width());
         let samples = texels.div_ceil(size).clamp(1, 4);
-        let count = (size * samples) as f32;
+        let side = size * samples;
         let [forward, up, right] = [self.direction.signed_axis(), self.up, self.right()].map(SignedAxis::direction);
-        let seen = Raster::from_function(size * samples, size * samples, |x, y| {
-            let across = (2 * x + 1) as f32 / count - 1.0;
-            let down = (2 * y + 1) as f32 / count - 1.0;
-            map.sample(forward + right * across - up * down)
-        });
+        let offset = |index: usize| (2 * index + 1) as f32 / side as f32 - 1.0;
+        let mut seen = Raster::filled(side, side, Vec3::ZERO);
+        let mut directions = vec![Vec3::ZERO; side];
+        for (y, row) in seen.pixels_mut().chunks_mut(side).enumerate() {
+            for (x, direction) in directions.iter_mut().enumerate() {
+                *direction = forward + right * offset(x) - up * offset(y);
+            }
+            map.sample_all(&directions, row);
+        }
         seen.reduced(samples)
     }
 }

@@ -59,11 +59,14 @@ impl Balls {
         let lines = self.lines(ray);
         let error = ray.origin_error();
         let leaving = ray.departure.map_or(u32::MAX, |departure| departure.surface.shape);
+        let inside = ray.departure.is_some_and(|departure| departure.side == Side::Back);
+        if !inside && lines.all_miss() {
+            return false;
+        }
         for lane in 0..LANES {
             let shape = self.shapes[lane];
             if shape == leaving {
                 // The root at the origin is passed over: outwards there is no other, inwards it is the chord's end.
-                let inside = ray.departure.is_some_and(|departure| departure.side == Side::Back);
                 if inside && found(shape, (-2.0 * lines.half_b[lane]).max(0.0)) {
                     return true;
                 }
@@ -99,6 +102,12 @@ impl Balls {
 }
 
 impl Lines {
+    /// True if the line misses all four spheres, as most do: one branch instead of several for each.
+    #[inline(always)]
+    fn all_miss(&self) -> bool {
+        !self.half_chord.iter().fold(false, |met, &half_chord| met | (half_chord >= 0.0))
+    }
+
     /// False if the line misses the sphere, or the ray moves away from it outside.
     #[inline(always)]
     fn may_hit(&self, lane: usize) -> bool {
