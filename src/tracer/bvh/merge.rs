@@ -13,7 +13,7 @@ type Costs = [f32; WIDTH];
 ///
 /// ```text
 ///          a                      With room for 4 below `a`: b, f, g, e,
-///        /   \                    or d, c (a wide node of its own), ...
+///        /   \                    or b, c (a wide node of its own), ...
 ///       b     c                   The cost of a choice is the sum of the areas
 ///      / \   / \                  of all wide nodes that it makes.
 ///     .   . d   e

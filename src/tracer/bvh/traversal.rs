@@ -107,7 +107,7 @@ impl Stack {
     #[inline(always)]
     fn at(&self, place: usize) -> Entry {
         assert!(place < self.height);
-        // SAFETY: `insert` writes the place that it adds.
+        // SAFETY: the place is below the height, and `insert` has written all of those.
         unsafe { self.entries[place].assume_init() }
     }
 

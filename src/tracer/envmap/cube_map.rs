@@ -76,8 +76,8 @@ impl CubeMap {
         self.deferred(direction).colour()
     }
 
-    /// Linear colours seen in many directions, each the same bits as [`CubeMap::sample`] gives. Panics unless there is
-    /// room for as many.
+    /// Linear colours seen in many directions, each the same bits as [`CubeMap::sample`] gives. Panics unless there are
+    /// as many of both.
     ///
     /// Measured with directions that have nothing to do with each other, in six pictures of 2048 x 2048 texels: 2.5 to 4
     /// times as many a second as one by one; of neighbouring ones 1.2 times as many.

@@ -71,10 +71,13 @@ impl Scene {
         }
     }
 
-    /// The unit normal of a flat shape that scatters light the same in all directions everywhere; `None` for others.
-    pub fn dull_normal(&self, primitive: &Primitive) -> Option<DVec3> {
+    /// The unit normal of a flat shape that scatters light the same in all directions, and from which no shape without end
+    /// may hide the sky; `None` for others.
+    pub fn open_normal(&self, primitive: &Primitive) -> Option<DVec3> {
         let dull = |&number: &u32| self.materials[number as usize].is_dull();
-        primitive.flat_normal().filter(|_| primitive.material.numbers().iter().all(dull))
+        let endless = self.shapes.primitives().iter().filter(|other| other.bounds().is_none()).count();
+        let open = endless == usize::from(primitive.bounds().is_none());
+        primitive.flat_normal().filter(|_| open && primitive.material.numbers().iter().all(dull))
     }
 
     fn from_document(document: &Document, file: &Path, map_override: Option<PathBuf>) -> Result<Self> {

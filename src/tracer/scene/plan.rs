@@ -147,10 +147,10 @@ impl Plan {
     }
 }
 
-/// True if there are flat, dull surfaces, and no more than a few shapes that have an end to hide the sky from them.
+/// True if there are flat, dull surfaces, and no more than a few shapes that have an end to hide the sky from them. A shape
+/// without end hides it from all others.
 fn has_open_surfaces(scene: &Scene) -> bool {
     let primitives = scene.shapes.primitives();
-    let endless = primitives.iter().filter(|primitive| primitive.bounds().is_none()).count();
-    let few = primitives.len() <= Plan::MOST_OBSTACLES && endless <= 1;
-    few && primitives.iter().any(|primitive| scene.dull_normal(primitive).is_some())
+    let few = primitives.len() <= Plan::MOST_OBSTACLES + 1;
+    few && primitives.iter().any(|primitive| scene.open_normal(primitive).is_some())
 }

@@ -12,7 +12,8 @@ pub struct IntegratorSettings {
     /// Reflections and refractions followed at most from a camera ray.
     pub depth: u32,
     /// Rays that carry less than this share of the pixel are followed at random, the survivors weighted up: the
-    /// picture gains noise below this share but no bias. 0 follows all.
+    /// picture gains noise below this share but no bias. 0 follows all. The path tracer has a share of its own: for it only
+    /// 0 makes a difference.
     pub weight_cutoff: f32,
     /// How the path tracer finds light.
     pub strategy: Strategy,

@@ -6,6 +6,7 @@
 
 mod balls;
 mod cuboid;
+mod extent;
 mod flat;
 pub mod mesh;
 mod primitive;
@@ -13,6 +14,7 @@ mod sampling;
 mod sphere;
 
 pub use balls::Balls;
+pub use extent::BoundingBall;
 pub use flat::Outline;
 pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};
 pub use sampling::{ShapeSample, ShapeSampler};

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use super::flat::{Height, Outline};
 use super::mesh::Mesh;
 use super::{cuboid, sphere};
-use crate::math::{Bounds, DVec2, DVec3, Departure, Ray, SurfaceId, Transform};
+use crate::math::{DVec2, DVec3, Departure, Ray, SurfaceId, Transform};
 
 /// A shape with its place and material.
 #[derive(Debug, Clone)]
@@ -250,17 +250,6 @@ impl Primitive {
             material: self.material.of_group(point.material),
             id: hit.id,
         }
-    }
-
-    /// The box around the shape in the world; `None` for a plane, which has no end.
-    pub fn bounds(&self) -> Option<Bounds> {
-        let object = match &self.geometry {
-            Geometry::Flat(Outline::Plane) => return None,
-            Geometry::Flat(_) => Bounds { minimum: DVec3::new(-1.0, -1.0, 0.0), maximum: DVec3::new(1.0, 1.0, 0.0) },
-            Geometry::Sphere | Geometry::Cuboid => Bounds { minimum: DVec3::NEG_ONE, maximum: DVec3::ONE },
-            Geometry::Mesh(mesh) => mesh.bounds(),
-        };
-        Some(object.transformed(&self.transform.to_world))
     }
 
     fn to_world(&self, point: DVec3) -> DVec3 {

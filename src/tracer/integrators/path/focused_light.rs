@@ -5,6 +5,7 @@ use super::caustics::{FocusedDirection, Turn, branch};
 use super::vertex::Vertex;
 use super::weights::power_heuristic;
 use super::{Arrival, Path, Walk};
+use crate::math::Vec3;
 
 impl<'a, O: Observer> Walk<'a, O> {
     /// Light that took one of the known ways to here.
@@ -15,7 +16,7 @@ impl<'a, O: Observer> Walk<'a, O> {
         let [x, y, choice, _] = self.sampler.four().map(f64::from);
         let Some(FocusedDirection { direction, density, turns }) = directions.draw([x, y], choice) else { return };
         let evaluation = vertex.scattering.evaluate(vertex.towards_viewer, vertex.frame.to_local(direction));
-        if evaluation.density <= 0.0 {
+        if evaluation.value == Vec3::ZERO || evaluation.density <= 0.0 {
             return;
         }
         let Some(ray) = vertex.ray_towards(direction) else { return };

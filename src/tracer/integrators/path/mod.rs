@@ -103,7 +103,8 @@ struct Path<'a> {
 /// How the last ray was chosen.
 #[derive(Clone, Copy)]
 enum Arrival<'a> {
-    /// By the camera, mirrors or smooth glass: no other way could have found what it hits.
+    /// By the camera, mirrors or smooth glass, or where nothing else was searched for: no other way could have found what it
+    /// hits.
     Camera,
     /// At random to where something may hide the sky, whose light was taken as if nothing did.
     Obstructed,
@@ -167,12 +168,13 @@ impl<'a, O: Observer> Walk<'a, O> {
     /// Follows the path to the next surface and chooses how to leave it. False at the path's end.
     fn step(&mut self, path: &mut Path<'a>) -> bool {
         let scene = self.scene;
+        let before = path.throughput;
         let Some((surface, view)) = self.arrive(path) else {
             self.take_environment(path);
             return false;
         };
         if let Arrival::Obstructed = path.arrival {
-            self.return_hidden_sky(path);
+            self.return_hidden_sky(path, before);
         }
         let material = &scene.materials[surface.material as usize];
         if !self.take_own_light(path, material, &surface, &view) {
@@ -202,8 +204,8 @@ impl<'a, O: Observer> Walk<'a, O> {
         }
     }
 
-    /// Reflection and refraction at smooth glass, if the camera sees much of both through nothing but mirrors and smooth
-    /// glass: to choose one of them at random would be most of the noise there.
+    /// Reflection and refraction at smooth glass, if both carry much: seen by the camera through nothing but mirrors and
+    /// smooth glass, to choose one of them at random would be most of the noise. Not where the path was chosen among others.
     #[inline]
     fn branches(&self, path: &Path<'a>, vertex: &Vertex) -> Option<[ScatteringSample; 2]> {
         if !matches!(path.arrival, Arrival::Camera) || path.throughput.max_element() < 2.0 * BRANCH_SHARE {
@@ -261,7 +263,7 @@ impl<'a, O: Observer> Walk<'a, O> {
     /// (Russian roulette: Arvo and Kirk, Particle Transport and Image Synthesis, 1990).
     #[inline]
     fn survives(&mut self, path: &mut Path, carried: f32, uniform: f64) -> bool {
-        if carried <= 0.0 {
+        if carried <= 0.0 || carried.is_nan() {
             return false;
         }
         if carried >= SMALL_SHARE || !self.plan.roulette {

@@ -6,14 +6,7 @@ use super::super::direct::View;
 use crate::math::functions::sin_cos_turns;
 use crate::math::{DVec3, Frame};
 use crate::scene::Plan;
-use crate::shapes::{Primitive, Surface};
-
-/// A ball around a shape.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct BoundingBall {
-    centre: DVec3,
-    square_radius: f64,
-}
+use crate::shapes::{BoundingBall, Surface};
 
 /// The directions from one place that shapes may fill: cones, each with its probability.
 pub(super) struct Obstacles {
@@ -30,17 +23,6 @@ struct Cone {
     /// 1 - cosine of the half angle.
     spread: f64,
     weight: f64,
-}
-
-impl BoundingBall {
-    pub fn around(primitive: &Primitive) -> Option<Self> {
-        if let Some((centre, radius)) = primitive.as_ball() {
-            return Some(Self { centre, square_radius: radius * radius });
-        }
-        let bounds = primitive.bounds()?;
-        let centre = (bounds.minimum + bounds.maximum) / 2.0;
-        Some(Self { centre, square_radius: (bounds.extent() / 2.0).length_squared() })
-    }
 }
 
 impl Obstacles {
@@ -65,6 +47,12 @@ impl Obstacles {
             }
         }
         Some(obstacles)
+    }
+
+    /// True if nothing hides the sky.
+    #[inline]
+    pub fn is_empty(&self) -> bool {
+        self.count == 0
     }
 
     /// The share of the sky, weighted by the cosine, that shapes may fill: about right, above 1 where their cones overlap.
@@ -104,7 +92,7 @@ impl Cone {
     fn around(ball: &BoundingBall, position: DVec3, normal: DVec3) -> Option<Self> {
         let offset = ball.centre - position;
         let square = offset.length_squared();
-        let sine_square = ball.square_radius / square;
+        let sine_square = ball.radius * ball.radius / square;
         // Not quite at the ball: rounding must not make a cone of more than half of all directions.
         if sine_square.is_nan() || sine_square > 1.0 - 1e-9 {
             return None;

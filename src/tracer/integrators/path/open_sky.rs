@@ -15,20 +15,21 @@
 //!
 //! So no noise is left where no shape is near. (A control variate: Owen, Monte Carlo Theory, Methods and Examples, 8.9;
 //! the sky is the function whose integral is known. The cones are those of Shirley, Wang and Zimmerman, Monte Carlo
-//! Techniques for Direct Lighting Calculations, 1996.) The light of a path is right on average, as without it.
+//! Techniques for Direct Lighting Calculations, 1996.) The light of a path is right on average, as without it; a single
+//! path may carry less than nothing, where more sky is taken back than was found to be hidden.
 
 use std::f64::consts::FRAC_1_PI;
 
 use super::super::direct::View;
 use super::super::observer::{Event, Observer};
-use super::obstacles::{BoundingBall, Obstacles};
+use super::obstacles::Obstacles;
 use super::vertex::Vertex;
 use super::{Arrival, Path, Walk};
 use crate::envmap::Irradiance;
 use crate::error::Result;
 use crate::math::{DVec3, Side, Vec3};
 use crate::scene::{Plan, Scene};
-use crate::shapes::Surface;
+use crate::shapes::{BoundingBall, Primitive, Surface};
 
 /// The open sky as flat surfaces see it, and what may stand in its way.
 pub(super) struct OpenSky {
@@ -48,14 +49,14 @@ impl OpenSky {
         let mut known = Vec::new();
         let mut of_shape = Vec::new();
         for primitive in scene.shapes.primitives() {
-            let light = match scene.dull_normal(primitive) {
+            let light = match scene.open_normal(primitive) {
                 Some(normal) => Some(irradiance(scene, normal, &mut known)?),
                 None => None,
             };
             // A picture may hold what is not finite: then rays find it one by one.
             of_shape.push(light.filter(|light| light.front.is_finite() && light.back.is_finite()));
         }
-        let balls = scene.shapes.primitives().iter().map(BoundingBall::around).collect();
+        let balls = scene.shapes.primitives().iter().map(Primitive::bounding_ball).collect();
         Ok(of_shape.iter().any(Option::is_some).then_some(Self { of_shape, balls }))
     }
 
@@ -99,6 +100,9 @@ impl<'a, O: Observer> Walk<'a, O> {
     ) -> bool {
         let colour = vertex.scattering.albedo();
         self.add("open sky, as if nothing hid it", path.throughput * colour * radiance);
+        if obstacles.is_empty() {
+            return false;
+        }
         path.throughput *= colour;
         let [x, y, choice, survival] = self.sampler.four().map(f64::from);
         // About as much as the ray will carry, known before it is.
@@ -120,10 +124,10 @@ impl<'a, O: Observer> Walk<'a, O> {
         true
     }
 
-    /// Takes back the light of the sky behind what the path met.
-    pub(super) fn return_hidden_sky(&mut self, path: &mut Path<'a>) {
+    /// Takes back the light of the sky behind what the path met, as it was taken: not weakened by what was passed to there.
+    pub(super) fn return_hidden_sky(&mut self, path: &mut Path<'a>, throughput: Vec3) {
         let hidden = self.scene.environment.radiance(path.ray.direction);
-        self.add("sky hidden by what was met", -path.throughput * hidden);
+        self.add("sky hidden by what was met", -throughput * hidden);
         // What else is found there could not have been found another way.
         path.arrival = Arrival::Camera;
     }

@@ -4,12 +4,14 @@ use super::super::super::direct::View;
 use super::super::super::media::Media;
 use super::super::vertex::Vertex;
 use super::way::Turn;
+use crate::colour::luminance;
 use crate::materials::{MediumStack, ScatteringSample};
 use crate::math::{DVec3, Ray};
 use crate::scene::{Plan, Scene};
 
-/// Ways that keep less of the light are not followed.
+/// Ways that keep less of the light are not followed, nor those of more turns.
 const LEAST_SHARE: f64 = 0.003;
+const MOST_TURNS: usize = 32;
 
 /// Where light lands after at least one mirror or smooth glass.
 #[derive(Debug, Clone, Copy)]
@@ -51,7 +53,7 @@ struct Flight {
 impl<'a> ChainTracer<'a> {
     pub fn new(scene: &'a Scene, plan: &Plan) -> Self {
         let media = Media { scene, absorption: plan.absorption };
-        Self { scene, media, longest: scene.integrator.depth as usize }
+        Self { scene, media, longest: MOST_TURNS.min(scene.integrator.depth as usize) }
     }
 
     /// Follows a ray of light both ways at every glass. Returns where it lands; not without a mirror or smooth glass on the
@@ -77,8 +79,8 @@ impl<'a> ChainTracer<'a> {
 
     /// The light that goes on one way; `None` if that is none, or hardly any.
     fn turned(&self, flight: &Flight, vertex: &Vertex, transmitted: bool) -> Option<Flight> {
-        let (sample, share) = branch(vertex, transmitted)?;
-        let share = flight.share * share;
+        let (sample, _) = branch(vertex, transmitted)?;
+        let share = flight.share * f64::from(luminance(sample.weight));
         let mut next = Flight { share, ..flight.clone() };
         next.ray = vertex.departure(&sample, &mut next.media)?;
         next.turns.push(Turn { shape: vertex.surface.id.shape, transmitted });

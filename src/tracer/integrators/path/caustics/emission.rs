@@ -14,7 +14,7 @@ use crate::math::{Bounds, DVec3, Frame, Ray};
 use crate::sampling::PixelSampler;
 use crate::sampling::warp::concentric_disc;
 use crate::scene::Scene;
-use crate::shapes::{Geometry, Primitive};
+use crate::shapes::{BoundingBall, Primitive};
 
 /// How much brighter than the mean of the environment its light must be to be worth sending out.
 const BRIGHT: f64 = 16.0;
@@ -59,15 +59,12 @@ impl Casters {
         let mut cumulative = 0.0;
         let mut casters = Vec::new();
         for primitive in scene.shapes.primitives() {
-            let Some(bounds) = primitive.bounds().filter(|_| primitive.material.numbers().iter().any(|&m| specular(m)))
-            else {
+            if !primitive.material.numbers().iter().any(|&number| specular(number)) {
                 continue;
-            };
-            let extent = bounds.extent();
-            let round = matches!(primitive.geometry, Geometry::Sphere);
-            let radius = if round { extent.max_element() / 2.0 } else { extent.length() / 2.0 };
+            }
+            let Some(BoundingBall { centre, radius }) = primitive.bounding_ball() else { continue };
             cumulative += radius * radius;
-            casters.push(Caster { centre: (bounds.minimum + bounds.maximum) / 2.0, radius, cumulative });
+            casters.push(Caster { centre, radius, cumulative });
         }
         let reach = reach(scene, &casters);
         (!casters.is_empty()).then_some(Self { casters, reach })

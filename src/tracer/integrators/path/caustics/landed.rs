@@ -1,109 +1,98 @@
-//! Bundles of rays that landed: what a photon knows beyond its own place and direction.
+//! Light sent ahead: bundles of rays, and where they land.
 
-use super::chain::{ChainTracer, Landing};
-use super::emission::Bundle;
+use super::super::lights::LightTables;
+use super::chain::{Chain, ChainTracer};
+use super::emission::{Bundle, Casters};
 use super::photon::Photon;
-use super::way::Turn;
-use crate::math::{DVec3, Frame};
+use super::spread::Spread;
+use crate::math::DVec3;
+use crate::parallel;
+use crate::sampling::{PixelSampler, Sampling};
+use crate::scene::{Plan, Scene};
 
-/// A bundle that landed by one way: its middle, and how far the others landed from it, by length of their steps.
+/// Bundles of rays sent out a pixel of the picture, and bounds on their number.
+const BUNDLES_A_PIXEL: f64 = 0.5;
+const BUNDLES: std::ops::RangeInclusive<u32> = 4096..=131_072;
+/// Bundles sent out one after the other by one thread.
+const BUNDLES_AT_ONCE: u32 = 256;
+/// A column of pixels that no picture has: its samples are those of the photons.
+const PHOTON_COLUMN: usize = usize::MAX;
+
+/// A bundle whose middle landed by one way.
 pub(super) struct Landed {
-    /// From where it landed back to the source.
-    pub turns: Vec<Turn>,
-    /// Share of the light that takes this way.
-    pub share: f64,
-    landing: Landing,
-    /// Change of place and of direction by moving along the disc; `None` if they went another way.
-    moved: Option<[(DVec3, DVec3); 2]>,
-    /// The same by turning.
-    turned: Option<[(DVec3, DVec3); 2]>,
-    towards_source: DVec3,
+    /// Number of the bundle.
+    bundle: u32,
+    pub chain: Chain,
 }
 
-/// Follows a bundle by all its ways, and adds where it lands.
-pub(super) fn land(tracer: &ChainTracer, bundle: &Bundle, landed: &mut Vec<Landed>) {
-    for chain in tracer.explore(bundle.ray) {
-        let change = |ray, step: f64| {
-            let other = tracer.follow(ray, &chain.turns)?;
-            let landing = &chain.landing;
-            Some(((other.position - landing.position) / step, (other.towards - landing.towards) / step))
-        };
-        let both = |[one, other]: [_; 2], step| Some([change(one, step)?, change(other, step)?]);
-        let moved = both(bundle.moved, bundle.steps[0]);
-        let turned = both(bundle.turned, bundle.steps[1]);
-        let mut turns = chain.turns;
-        turns.reverse();
-        let towards_source = bundle.towards_source;
-        landed.push(Landed { turns, share: chain.share, landing: chain.landing, moved, turned, towards_source });
-    }
+/// The light that is sent to the mirrors and glasses of a scene.
+pub(super) struct LightAhead<'a> {
+    scene: &'a Scene,
+    lights: &'a LightTables,
+    casters: Casters,
+    tracer: ChainTracer<'a>,
+    sampling: Sampling,
+    count: u32,
 }
 
-/// The tangent of the angle that covers a source, from the directions of rays that it sent: small sources lie apart, so of
-/// all distances between directions the small ones tell. (In a disc of radius r, a quarter of the pairs are nearer than
-/// 0.57 r.)
-pub(super) fn source_width(landed: &[Landed]) -> f64 {
-    let few: Vec<DVec3> = landed.iter().step_by(landed.len() / 64 + 1).map(|landed| landed.towards_source).collect();
-    let pairs =
-        few.iter().enumerate().flat_map(|(index, one)| few[..index].iter().map(move |other| (*one - *other).length()));
-    let mut distances: Vec<f64> = pairs.collect();
-    distances.sort_by(f64::total_cmp);
-    distances.get(distances.len() / 4).map_or(0.1, |quarter| quarter / 0.57)
-}
-
-impl Landed {
-    /// The photon, for a source of the given width (tangent of its radius) and the number of its way.
-    pub fn photon(&self, width: f64, way: u32) -> Photon {
-        let Landing { position, normal, towards } = self.landing;
-        let Frame { tangent, bitangent, .. } = Frame::around(normal);
-        let along = [tangent, bitangent];
-        let view = Frame::around(towards);
-        let unknown = Photon {
-            position,
-            towards,
-            axes: [view.tangent, view.bitangent],
-            along,
-            turn: [[0.0; 2]; 2],
-            half: [width; 2],
-            way,
-            share: self.share,
-            drift: 0.0,
-        };
-        let Some(turn) = self.turn_along(along) else { return unknown };
-        let (axes, half) = match self.turned {
-            // Seen from the same place: what turning the source does, less what the move does that brings the ray back.
-            Some(turned) => {
-                let seen = |(place, direction): (DVec3, DVec3)| {
-                    (direction - turn[0] * tangent.dot(place) - turn[1] * bitangent.dot(place)) * width
-                };
-                ellipse_axes(turned.map(seen), towards)
-            }
-            None => (unknown.axes, unknown.half),
-        };
-        let on_plane = |vector: DVec3| axes.map(|axis| axis.dot(vector));
-        Photon { axes, turn: turn.map(on_plane), half, ..unknown }
+impl<'a> LightAhead<'a> {
+    /// `None` if there is nothing to send it to.
+    pub fn new(scene: &'a Scene, plan: &Plan, lights: &'a LightTables) -> Option<Self> {
+        let [width, height] = scene.camera.size();
+        let count = ((width * height) as f64 * BUNDLES_A_PIXEL) as u32;
+        Some(Self {
+            scene,
+            lights,
+            casters: Casters::new(scene)?,
+            tracer: ChainTracer::new(scene, plan),
+            sampling: Sampling { seed: scene.sampling.seed, ..Sampling::default() },
+            count: count.clamp(*BUNDLES.start(), *BUNDLES.end()),
+        })
     }
 
-    /// J = W Y^-1: the change of direction for a step along either axis of the surface, from the changes of place Y and of
-    /// direction W by moving the start of the ray. `None` where neighbours went another way or all land in one line.
-    fn turn_along(&self, [tangent, bitangent]: [DVec3; 2]) -> Option<[DVec3; 2]> {
-        let [one, other] = self.moved?;
-        let flat = |offset: DVec3| [tangent.dot(offset), bitangent.dot(offset)];
-        let ([a, c], [b, d]) = (flat(one.0), flat(other.0));
-        let determinant = a * d - b * c;
-        let flattened = determinant.abs() < 1e-6 * (a * a + b * b + c * c + d * d);
-        (!flattened).then(|| [(one.1 * d - other.1 * c) / determinant, (other.1 * a - one.1 * b) / determinant])
+    /// Bundle number `index`; `None` if its direction is not bright.
+    fn bundle(&self, index: u32) -> Option<Bundle> {
+        let mut sampler = PixelSampler::chosen(self.sampling, PHOTON_COLUMN, 0, index);
+        self.casters.bundle(self.scene, self.lights, &mut sampler)
     }
-}
 
-/// The axes of the ellipse that two vectors (at right angles to `normal`, more or less) make of the unit circle, and their
-/// lengths: the singular value decomposition of two columns (Golub and Van Loan, Matrix Computations, section 8.6).
-fn ellipse_axes([one, other]: [DVec3; 2], normal: DVec3) -> ([DVec3; 2], [f64; 2]) {
-    // Turn the circle so that the images of its axes are at right angles.
-    let (difference, product) = (one.length_squared() - other.length_squared(), 2.0 * one.dot(other));
-    let angle = 0.5 * crate::math::functions::arctan2(product, difference);
-    let (sine, cosine) = (crate::math::functions::sin(angle), crate::math::functions::cos(angle));
-    let (long, short) = (one * cosine + other * sine, other * cosine - one * sine);
-    let fallback = Frame::around(normal);
-    let first = (long - normal * long.dot(normal)).try_normalize().unwrap_or(fallback.tangent);
-    ([first, normal.cross(first)], [long.length(), short.length()])
+    /// Follows the middles of all bundles by all their ways, in the order of the bundles.
+    pub fn send(&self) -> Vec<Landed> {
+        let starts = (0..self.count).step_by(BUNDLES_AT_ONCE as usize);
+        let landed = parallel::map(starts, |start| {
+            let bundles = start..(start + BUNDLES_AT_ONCE).min(self.count);
+            let chains = |bundle: u32| self.bundle(bundle).map_or(Vec::new(), |sent| self.tracer.explore(sent.ray));
+            bundles.flat_map(|bundle| chains(bundle).into_iter().map(move |chain| Landed { bundle, chain })).collect()
+        });
+        landed.into_iter().flat_map(|landed: Vec<Landed>| landed).collect()
+    }
+
+    /// The tangent of the angle that covers a source, from the directions of rays that it sent: small sources lie apart, so
+    /// of all distances between directions the small ones tell. (In a disc of radius r, a quarter of the pairs are nearer
+    /// than 0.57 r.)
+    pub fn width(&self, landed: &[Landed]) -> f64 {
+        let mut bundles: Vec<u32> = landed.iter().map(|landed| landed.bundle).collect();
+        bundles.dedup();
+        let some = bundles.iter().step_by(bundles.len() / 64 + 1);
+        let few: Vec<DVec3> = some.filter_map(|&bundle| self.bundle(bundle)).map(|sent| sent.towards_source).collect();
+        let pairs = few
+            .iter()
+            .enumerate()
+            .flat_map(|(index, one)| few[..index].iter().map(move |other| (*one - *other).length()));
+        let mut distances: Vec<f64> = pairs.collect();
+        distances.sort_by(f64::total_cmp);
+        distances.get(distances.len() / 4).map_or(0.1, |quarter| quarter / 0.57)
+    }
+
+    /// The photons of what landed by one way, for a source of the given width.
+    pub fn photons(&self, landed: &[&Landed], width: f64, way: u32) -> Vec<Photon> {
+        let some = parallel::map(landed.chunks(BUNDLES_AT_ONCE as usize), |landed| {
+            let photon = |landed: &&Landed| {
+                let spread = Spread::of(&self.tracer, &self.bundle(landed.bundle)?, &landed.chain);
+                Some(spread.photon(&landed.chain, width, way))
+            };
+            landed.iter().filter_map(photon).collect::<Vec<_>>()
+        });
+        some.into_iter().flatten().collect()
+    }
 }

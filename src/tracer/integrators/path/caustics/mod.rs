@@ -10,6 +10,7 @@ mod chain;
 mod emission;
 mod landed;
 mod photon;
+mod spread;
 mod tree;
 mod way;
 
@@ -17,30 +18,19 @@ use std::collections::BTreeMap;
 
 use super::lights::LightTables;
 use crate::math::DVec3;
-use crate::parallel;
-use crate::sampling::{PixelSampler, Sampling};
 use crate::scene::{Plan, Scene};
-use chain::ChainTracer;
-use emission::Casters;
-use landed::{Landed, land, source_width};
+use landed::{Landed, LightAhead};
 use photon::{Forecast, Photon};
 use tree::{HANDFUL, PhotonTree};
 
 pub(super) use chain::branch;
 pub(super) use way::{Turn, WayCode};
 
-/// Bundles of rays sent out a pixel of the picture, and bounds on their number.
-const BUNDLES_A_PIXEL: f64 = 0.5;
-const BUNDLES: std::ops::RangeInclusive<u32> = 4096..=262_144;
-/// Bundles sent out one after the other by one thread.
-const BUNDLES_AT_ONCE: u32 = 256;
-/// A column of pixels that no picture has: its samples are those of the photons.
-const PHOTON_COLUMN: usize = usize::MAX;
-
 /// Most ways that are searched for; the weaker ones are left to chance.
 const MOST_WAYS: usize = 16;
-/// Fewest photons that tell of a way.
+/// Fewest photons that tell of a way, and most that are kept of one.
 const FEWEST_PHOTONS: usize = 4;
+const MOST_PHOTONS: usize = 32_768;
 /// Share of the choices that go to all ways alike: a way may be seen where none of its photons landed.
 const EVEN_SHARE: f64 = 0.15;
 
@@ -65,14 +55,16 @@ impl CausticGuide {
         if !plan.caustics || !lights.is_concentrated() {
             return None;
         }
-        let landed = send(scene, plan, lights, &Casters::new(scene)?);
-        let width = source_width(&landed);
+        let source = LightAhead::new(scene, plan, lights)?;
+        let landed = source.send();
+        let width = source.width(&landed);
         let mut ways = Vec::new();
         let mut all = Vec::new();
         for (number, (code, landed)) in strongest(&landed).into_iter().enumerate() {
-            let photons: Vec<Photon> = landed.iter().map(|landed| landed.photon(width, number as u32)).collect();
+            let photons = source.photons(&landed, width, number as u32);
             all.extend_from_slice(&photons);
-            ways.push(Way { turns: landed[0].turns.clone(), code, photons: PhotonTree::new(photons) });
+            let turns = landed[0].chain.turns.iter().rev().copied().collect();
+            ways.push(Way { turns, code, photons: PhotonTree::new(photons) });
         }
         (!ways.is_empty()).then(|| Self { ways, all: PhotonTree::new(all) })
     }
@@ -84,37 +76,19 @@ impl CausticGuide {
     }
 }
 
-/// Sends bundles of light to the mirrors and glasses of a scene. Returns where they landed.
-fn send(scene: &Scene, plan: &Plan, lights: &LightTables, casters: &Casters) -> Vec<Landed> {
-    let [width, height] = scene.camera.size();
-    let count = ((width * height) as f64 * BUNDLES_A_PIXEL) as u32;
-    let count = count.clamp(*BUNDLES.start(), *BUNDLES.end());
-    let tracer = ChainTracer::new(scene, plan);
-    let sampling = Sampling { seed: scene.sampling.seed, ..Sampling::default() };
-    let starts = (0..count).step_by(BUNDLES_AT_ONCE as usize);
-    let landed = parallel::map(starts, |start| {
-        let mut landed = Vec::new();
-        for index in start..(start + BUNDLES_AT_ONCE).min(count) {
-            let mut sampler = PixelSampler::chosen(sampling, PHOTON_COLUMN, 0, index);
-            if let Some(bundle) = casters.bundle(scene, lights, &mut sampler) {
-                land(&tracer, &bundle, &mut landed);
-            }
-        }
-        landed
-    });
-    landed.into_iter().flatten().collect()
-}
-
-/// What landed by the ways that most of the light took, strongest first.
+/// What landed by the ways that most of the light took, strongest first; of each way no more than tell enough.
 fn strongest(landed: &[Landed]) -> Vec<(WayCode, Vec<&Landed>)> {
     let mut ways: BTreeMap<WayCode, Vec<&Landed>> = BTreeMap::new();
     for landed in landed {
-        ways.entry(WayCode::of(&landed.turns)).or_default().push(landed);
+        // From where the light landed back to its source.
+        let code = WayCode::of(landed.chain.turns.iter().rev());
+        ways.entry(code).or_default().push(landed);
     }
-    let share = |landed: &[&Landed]| landed.iter().map(|landed| landed.share).sum::<f64>();
+    let share = |landed: &[&Landed]| landed.iter().map(|landed| landed.chain.share).sum::<f64>();
     let mut ways: Vec<_> = ways.into_iter().filter(|(_, landed)| landed.len() >= FEWEST_PHOTONS).collect();
     ways.sort_by(|(_, one), (_, other)| share(other).total_cmp(&share(one)));
     ways.truncate(MOST_WAYS);
+    ways.iter_mut().for_each(|(_, landed)| landed.truncate(MOST_PHOTONS));
     ways
 }
 

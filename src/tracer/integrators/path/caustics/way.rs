@@ -29,8 +29,8 @@ impl WayCode {
     }
 
     /// The code of a sequence of turns, from the camera's side.
-    pub fn of(turns: &[Turn]) -> Self {
-        turns.iter().fold(Self::START, |code, &turn| code.then(turn))
+    pub fn of<'t>(turns: impl IntoIterator<Item = &'t Turn>) -> Self {
+        turns.into_iter().fold(Self::START, |code, &turn| code.then(turn))
     }
 }
 

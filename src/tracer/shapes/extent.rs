@@ -1,0 +1,34 @@
+//! How far shapes reach in the world.
+
+use super::flat::Outline;
+use super::primitive::{Geometry, Primitive};
+use crate::math::{Bounds, DVec3};
+
+/// A ball around a shape.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct BoundingBall {
+    pub centre: DVec3,
+    pub radius: f64,
+}
+
+impl Primitive {
+    /// The box around the shape in the world; `None` for a plane, which has no end.
+    pub fn bounds(&self) -> Option<Bounds> {
+        let object = match &self.geometry {
+            Geometry::Flat(Outline::Plane) => return None,
+            Geometry::Flat(_) => Bounds { minimum: DVec3::new(-1.0, -1.0, 0.0), maximum: DVec3::new(1.0, 1.0, 0.0) },
+            Geometry::Sphere | Geometry::Cuboid => Bounds { minimum: DVec3::NEG_ONE, maximum: DVec3::ONE },
+            Geometry::Mesh(mesh) => mesh.bounds(),
+        };
+        Some(object.transformed(&self.transform.to_world))
+    }
+
+    /// A ball around the shape in the world: a round sphere itself, for others the one around their box; `None` for a plane.
+    pub fn bounding_ball(&self) -> Option<BoundingBall> {
+        if let Some((centre, radius)) = self.as_ball() {
+            return Some(BoundingBall { centre, radius });
+        }
+        let bounds = self.bounds()?;
+        Some(BoundingBall { centre: (bounds.minimum + bounds.maximum) / 2.0, radius: bounds.extent().length() / 2.0 })
+    }
+}
