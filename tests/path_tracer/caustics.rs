@@ -1,8 +1,9 @@
 //! Light by known ways through glass and mirrors: searched for and by chance, it is the same on average.
 
+use glam::DVec3;
 use skycube::scene::{Caustics, Plan, Scene};
 
-use crate::support::{mean_of_pictures, scene};
+use crate::support::{along, assert_agrees, mean_of_pictures, scene};
 
 /// A floor in the light of a lamp, large enough that chance finds it, too; what is between them differs.
 fn lit_through(shapes: &str) -> Scene {
@@ -55,4 +56,44 @@ fn light_that_is_searched_for_is_as_much_as_chance_finds() {
         assert!((mean - expected).abs() < bound, "{name}: {mean} and {expected} differ by more than {bound}");
         assert!(bound < 0.025 * expected, "{name}: {bound} of {expected} is too much noise to tell");
     }
+}
+
+#[test]
+fn the_probability_of_a_way_counts_in_the_weights() {
+    // The lamp lies in the floor and lights it only by way of the pane above, which reflects a little:
+    //
+    //     ------ pane ------
+    //        /        \
+    //   ---x---------=====---      x: where the floor is looked at
+    let mut scene = scene(
+        "materials.floor = { kind = \"lambert\", colour = 0.6 }\nmaterials.lamp = { kind = \"light\", radiance = 8 }\n\
+         materials.glass = { kind = \"glass\" }\n\
+         shapes = [{ kind = \"rectangle\", size = [9, 9], material = \"floor\" },\n\
+                   { kind = \"rectangle\", centre = [2, 0, 1e-6], size = [3, 3], material = \"lamp\" },\n\
+                   { kind = \"rectangle\", centre = [0, 0, 1], size = [9, 9], material = \"glass\" }]\n",
+    );
+    scene.integrator.depth = 2;
+    let shown = along(&scene, DVec3::new(0.01, 0.0, 0.5), DVec3::new(-0.01, 0.0, -0.5), 1_600_000);
+    // Over the lamp's image at the height 2: reflectance times both cosines over the square of the distance.
+    let steps = 300;
+    let place = |start: f64, step: u32| start + 3.0 * (f64::from(step) + 0.5) / f64::from(steps);
+    let mut sum = 0.0;
+    for (column, row) in (0..steps).flat_map(|column| (0..steps).map(move |row| (column, row))) {
+        let (x, y) = (place(0.5, column), place(-1.5, row));
+        let square = 4.0 + x * x + y * y;
+        let cosine = 2.0 / square.sqrt();
+        sum += reflectance(cosine) * cosine * cosine / square;
+    }
+    let area = 9.0 / f64::from(steps * steps);
+    let expected = 0.6 / std::f64::consts::PI * 8.0 * sum * area;
+    assert!(shown.1 < 2e-3 * expected, "{shown:?}: too much noise to tell");
+    assert_agrees(shown, expected, "light by way of the pane");
+}
+
+/// Fresnel's reflectance of glass of index 1.5, by the cosine of the angle of incidence.
+fn reflectance(cosine: f64) -> f64 {
+    let transmitted = (1.0 - (1.0 - cosine * cosine) / 2.25).sqrt();
+    let parallel = (1.5 * cosine - transmitted) / (1.5 * cosine + transmitted);
+    let perpendicular = (cosine - 1.5 * transmitted) / (cosine + 1.5 * transmitted);
+    (parallel * parallel + perpendicular * perpendicular) / 2.0
 }
