@@ -70,7 +70,7 @@ fn the_probability_of_a_way_counts_in_the_weights() {
          materials.glass = { kind = \"glass\" }\n\
          shapes = [{ kind = \"rectangle\", size = [9, 9], material = \"floor\" },\n\
                    { kind = \"rectangle\", centre = [2, 0, 1e-6], size = [3, 3], material = \"lamp\" },\n\
-                   { kind = \"rectangle\", centre = [0, 0, 1], size = [9, 9], material = \"glass\" }]\n",
+                   { kind = \"rectangle\", centre = [0, 0, 1], normal = [0, 0, -1], size = [9, 9], material = \"glass\" }]\n",
     );
     scene.integrator.depth = 2;
     let shown = along(&scene, DVec3::new(0.01, 0.0, 0.5), DVec3::new(-0.01, 0.0, -0.5), 1_600_000);
