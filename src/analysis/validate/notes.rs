@@ -201,13 +201,7 @@ impl fmt::Display for Note {
                 write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))
             }
             Self::Rough { seams, step, after_the_fix } => {
-                let are = if *seams == 1 { "is" } else { "are" };
-                let when = if *after_the_fix { " after the fix" } else { "" };
-                write!(
-                    formatter,
-                    "{seams} of 12 seams {are} rough{when} (mean step {step:.1} of 255), but the geometry fits: \
-                     {ROUGH_REASONS}"
-                )
+                formatter.write_str(&rough_seams(*seams, *step, *after_the_fix))
             }
             Self::Mirrored { faces, after, changes } => {
                 formatter.write_str(&mirrored(faces, after, *changes && faces != after))
@@ -218,6 +212,15 @@ impl fmt::Display for Note {
             }
         }
     }
+}
+
+/// That seams are rough, and why they may be.
+fn rough_seams(seams: usize, step: f64, after_the_fix: bool) -> String {
+    let are = if seams == 1 { "is" } else { "are" };
+    let when = if after_the_fix { " after the fix" } else { "" };
+    format!(
+        "{seams} of 12 seams {are} rough{when} (mean step {step:.1} of 255), but the geometry fits: {ROUGH_REASONS}"
+    )
 }
 
 /// Why the seams of a right map may be rough.

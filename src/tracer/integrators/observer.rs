@@ -85,6 +85,8 @@ pub enum Event {
     },
     /// It hit nothing, and nothing is taken: black.
     Nothing,
+    /// It hit nothing, and the sky there was taken before, as open sky.
+    OpenSky,
     Hit {
         surface: Surface,
         side: Side,

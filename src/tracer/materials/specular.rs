@@ -30,29 +30,26 @@ impl SmoothBoundary {
         let boundary = boundary(view.z, self.relative_index);
         boundary.cos_transmitted?;
         let share = |share: f64| Vec3::splat(share as f32);
-        let transmitted = ScatteringSample {
-            direction: refract(-view, DVec3::Z, self.relative_index),
-            weight: share(1.0 - boundary.reflectance),
-            density: 1.0,
-            specular: true,
-            transmitted: true,
-        };
-        Some([ScatteringSample::reflected_specularly(view, share(boundary.reflectance), 1.0), transmitted])
+        Some([
+            ScatteringSample::reflected_specularly(view, share(boundary.reflectance), 1.0),
+            self.transmitted(view, share(1.0 - boundary.reflectance), 1.0),
+        ])
     }
 
     #[inline]
     pub fn sample(&self, view: DVec3, choice: f64) -> Option<ScatteringSample> {
         let boundary = boundary(view.z, self.relative_index);
-        match boundary.cos_transmitted {
-            Some(_) if choice >= boundary.reflectance => Some(ScatteringSample {
-                direction: refract(-view, DVec3::Z, self.relative_index),
-                weight: Vec3::ONE,
-                density: 1.0 - boundary.reflectance,
-                specular: true,
-                transmitted: true,
-            }),
-            _ => Some(ScatteringSample::reflected_specularly(view, Vec3::ONE, boundary.reflectance)),
-        }
+        Some(match boundary.cos_transmitted {
+            Some(_) if choice >= boundary.reflectance => self.transmitted(view, Vec3::ONE, 1.0 - boundary.reflectance),
+            _ => ScatteringSample::reflected_specularly(view, Vec3::ONE, boundary.reflectance),
+        })
+    }
+
+    /// Refraction, chosen with a probability.
+    #[inline]
+    fn transmitted(&self, view: DVec3, weight: Vec3, probability: f64) -> ScatteringSample {
+        let direction = refract(-view, DVec3::Z, self.relative_index);
+        ScatteringSample { direction, weight, density: probability, specular: true, transmitted: true }
     }
 }
 

@@ -14,9 +14,11 @@ use crate::shapes::Surface;
 impl<'a, O: Observer> Walk<'a, O> {
     /// The light of the environment at the end of a path that hits nothing.
     pub(super) fn take_environment(&mut self, path: &Path) {
-        if !matches!(path.arrival, Arrival::Obstructed) {
-            self.counts.environment += 1;
+        if matches!(path.arrival, Arrival::Obstructed) {
+            self.observer.note(|| Event::OpenSky);
+            return;
         }
+        self.counts.environment += 1;
         let direction = path.ray.direction;
         let weight = self.weight_of(path.arrival, || self.tables.lights.environment_density(direction));
         if weight > 0.0 {

@@ -8,6 +8,11 @@ use crate::math::{DVec3, Frame};
 use crate::scene::Plan;
 use crate::shapes::{BoundingBall, Surface};
 
+/// Share of the sky, weighted by the cosine, above which too much of its light would be taken first and taken back then.
+/// Measured where balls touch a floor: 1 is noisier there, and shows single pixels less than black at 16 samples; with 0.3
+/// the floor around is noisier.
+const MOST_HIDDEN: f64 = 0.6;
+
 /// The directions from one place that shapes may fill: cones, each with its probability.
 pub(super) struct Obstacles {
     cones: [Cone; Plan::MOST_OBSTACLES],
@@ -26,7 +31,7 @@ struct Cone {
 }
 
 impl Obstacles {
-    /// `None` from inside of a ball around a shape: then it may be in every direction.
+    /// `None` from inside of a ball around a shape, which may then be in every direction, and where shapes fill most of the sky.
     #[inline]
     pub fn seen_from(balls: &[Option<BoundingBall>], surface: &Surface, view: &View) -> Option<Self> {
         let mut obstacles = Self {
@@ -46,7 +51,7 @@ impl Obstacles {
                 obstacles.weight += cone.weight;
             }
         }
-        Some(obstacles)
+        (obstacles.weight <= MOST_HIDDEN).then_some(obstacles)
     }
 
     /// True if nothing hides the sky.

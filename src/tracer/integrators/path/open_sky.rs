@@ -99,7 +99,7 @@ impl<'a, O: Observer> Walk<'a, O> {
         obstacles: &Obstacles,
     ) -> bool {
         let colour = vertex.scattering.albedo();
-        self.add("open sky, as if nothing hid it", path.throughput * colour * radiance);
+        self.add("open sky as if nothing hid it; rays go only to what may", path.throughput * colour * radiance);
         if obstacles.is_empty() {
             return false;
         }
