@@ -33,8 +33,8 @@ use crate::shapes::{BoundingBall, Primitive, Surface};
 
 /// The open sky as flat surfaces see it, and what may stand in its way.
 pub(super) struct OpenSky {
-    /// By the number of a shape: radiance of a white surface under the open sky. `None` for shapes that are not flat and
-    /// dull.
+    /// By the number of a shape: the irradiance of its two sides under the open sky. `None` for shapes that are not flat and
+    /// dull, or over which a shape without end may stand.
     of_shape: Vec<Option<Irradiance>>,
     /// By the number of a shape, where it is; `None` for planes, which have no end.
     balls: Vec<Option<BoundingBall>>,
@@ -61,7 +61,7 @@ impl OpenSky {
     }
 
     /// The radiance of a white surface under the open sky, and what may hide the sky from it. `None` for surfaces that are
-    /// not flat, or amidst shapes.
+    /// not flat, or amidst shapes, or mostly hidden.
     #[inline]
     pub fn over(&self, surface: &Surface, view: &View) -> Option<(Vec3, Obstacles)> {
         let light = self.of_shape[surface.id.shape as usize]?;
@@ -106,7 +106,7 @@ impl<'a, O: Observer> Walk<'a, O> {
         path.throughput *= colour;
         let [x, y, choice, survival] = self.sampler.four().map(f64::from);
         // About as much as the ray will carry, known before it is.
-        let carried = path.throughput.max_element() * obstacles.share().min(1.0) as f32;
+        let carried = path.throughput.max_element() * obstacles.share() as f32;
         if !self.survives(path, carried, survival) {
             return false;
         }
