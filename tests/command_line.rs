@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use common::{skycube, text};
+use common::{SHARED_IMAGE_LOOKUP, skycube, text};
 
 const LESSON: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/environment-with.toml");
 
@@ -83,10 +83,7 @@ fn a_map_for_a_scene_that_shows_none_is_refused() {
 #[test]
 fn two_faces_cannot_be_baked_into_one_image() {
     let folder = tempfile::tempdir().unwrap();
-    let table = "v_origin = \"bottom\"\nposx = { u = \"-y\", v = \"+z\" }\nnegx = { u = \"+y\", v = \"+z\", image = \"posx\" }\n\
-                 posy = { u = \"+x\", v = \"+z\" }\nnegy = { u = \"-x\", v = \"+z\" }\nposz = { u = \"+x\", v = \"-y\" }\n\
-                 negz = { u = \"+x\", v = \"+y\" }\n";
-    std::fs::write(folder.path().join("double.toml"), table).unwrap();
+    std::fs::write(folder.path().join("double.toml"), SHARED_IMAGE_LOOKUP).unwrap();
     let output =
         skycube(folder.path(), &["bake", LESSON, "-o", "faces", "--lookup", "double.toml", "--face-size", "4"]);
     assert_eq!(output.status.code(), Some(2));

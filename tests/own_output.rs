@@ -4,7 +4,7 @@ mod common;
 
 use std::path::Path;
 
-use common::{outcome, project};
+use common::{SHARED_IMAGE_LOOKUP, outcome, project};
 use skycube::envmap::Face;
 
 /// The six pictures of the compass in a folder, which is made.
@@ -88,10 +88,7 @@ fn shots_that_would_not_fit_into_memory_are_refused() {
 #[test]
 fn a_lookup_with_a_shared_image_is_not_fixed_into_five_files() {
     let folder = tempfile::tempdir().unwrap();
-    let table = "v_origin = \"bottom\"\nposx = { u = \"-y\", v = \"+z\" }\nnegx = { u = \"+y\", v = \"+z\", image = \"posx\" }\n\
-                 posy = { u = \"+x\", v = \"+z\" }\nnegy = { u = \"-x\", v = \"+z\" }\nposz = { u = \"+x\", v = \"-y\" }\n\
-                 negz = { u = \"+x\", v = \"+y\" }\n";
-    std::fs::write(folder.path().join("double.toml"), table).unwrap();
+    std::fs::write(folder.path().join("double.toml"), SHARED_IMAGE_LOOKUP).unwrap();
     let compass = project("envmaps/compass");
     let arguments = ["fix", compass.to_str().unwrap(), "--lookup", "double.toml", "-o", "out"];
     let (code, _, error) = outcome(folder.path(), &arguments);

@@ -33,35 +33,34 @@ pub fn zeros_on_large_pages(length: usize) -> Vec<u8> {
     bytes
 }
 
+/// Bytes that come from memory at once.
+const LINE: usize = 64;
+
 /// Tells the processor that a value will be read soon, so that it may fetch it meanwhile.
 #[inline(always)]
 pub fn prefetch<T>(value: &T) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        /// Bytes that come from memory at once.
-        const LINE: usize = 64;
-        let start = std::ptr::from_ref(value).cast::<i8>();
-        for offset in (0..size_of::<T>()).step_by(LINE) {
-            // SAFETY: a hint, which reads nothing and changes nothing.
-            unsafe { _mm_prefetch::<_MM_HINT_T0>(start.wrapping_add(offset)) };
-        }
+    let start = std::ptr::from_ref(value).cast::<u8>();
+    for offset in (0..size_of::<T>()).step_by(LINE) {
+        prefetch_line(start.wrapping_add(offset));
     }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = value;
 }
 
 /// The same for an element of a slice; nothing is fetched for an index beyond its end.
 #[inline(always)]
 pub fn prefetch_element<T>(slice: &[T], index: usize) {
+    prefetch_line(slice.as_ptr().wrapping_add(index).cast());
+}
+
+#[inline(always)]
+fn prefetch_line(address: *const u8) {
     #[cfg(target_arch = "x86_64")]
     {
         use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
         // SAFETY: a hint, which reads nothing and changes nothing, whatever the address.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(slice.as_ptr().wrapping_add(index).cast()) };
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(address.cast()) };
     }
     #[cfg(not(target_arch = "x86_64"))]
-    let _ = (slice, index);
+    let _ = address;
 }
 
 /// Asks for large pages wherever a whole one fits into an allocation.

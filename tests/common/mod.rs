@@ -4,6 +4,11 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
+/// A lookup of which two faces read one image.
+pub const SHARED_IMAGE_LOOKUP: &str = "v_origin = \"bottom\"\nposx = { u = \"-y\", v = \"+z\" }\n\
+    negx = { u = \"+y\", v = \"+z\", image = \"posx\" }\nposy = { u = \"+x\", v = \"+z\" }\nnegy = { u = \"-x\", v = \"+z\" }\n\
+    posz = { u = \"+x\", v = \"-y\" }\nnegz = { u = \"+x\", v = \"+y\" }\n";
+
 /// A file or folder of the project.
 pub fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)

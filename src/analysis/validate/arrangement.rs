@@ -18,6 +18,11 @@ impl Arrangement {
         Self { images, layings: [0; 6] }
     }
 
+    /// The face that an image lies on; `None` if it lies on none.
+    pub fn face_of(&self, image: Face) -> Option<Face> {
+        Face::ALL.into_iter().find(|face| self.images[face.index()] == image)
+    }
+
     pub fn laying(&self, face: Face) -> Laying {
         Laying::ALL[self.layings[face.index()]]
     }

@@ -69,7 +69,7 @@ pub fn find(
     let (reason, threshold, fit) = match copy {
         // A copy laid as a mirror image of its original closes the seam between the two, which says nothing.
         Some(other) => {
-            let original = Face::ALL.into_iter().find(|face| laid.images[face.index()] == other);
+            let original = laid.face_of(other);
             (Reason::CopyOf(other), STRANGER_COPY, fit_without(puzzle, arrangement, face, original))
         }
         None if images[image.index()].is_flat() => (Reason::Flat, STRANGER_FLAT, *fit),
@@ -110,7 +110,7 @@ pub fn strangers(
         let image = arrangement.images[face.index()];
         let strange = match copy_of(map, images, image)? {
             Some(other) => {
-                let original = Face::ALL.into_iter().find(|face| arrangement.images[face.index()] == other);
+                let original = arrangement.face_of(other);
                 fit_without(puzzle, arrangement, face, original) >= STRANGER_COPY
             }
             None => {
@@ -135,7 +135,7 @@ fn copied(
     let mut worst: Option<(f64, Foreign)> = None;
     for face in Face::ALL {
         let Some(other) = copy_of(map, images, arrangement.images[face.index()])? else { continue };
-        let Some(original) = Face::ALL.into_iter().find(|face| arrangement.images[face.index()] == other) else {
+        let Some(original) = arrangement.face_of(other) else {
             continue;
         };
         let (laid, _) = best_laid(puzzle, arrangement, face);

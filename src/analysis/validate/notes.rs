@@ -214,10 +214,15 @@ impl fmt::Display for Note {
     }
 }
 
+/// What is said of a map as it is, or as the fix makes it.
+fn when(after_the_fix: bool) -> &'static str {
+    if after_the_fix { " after the fix" } else { "" }
+}
+
 /// That seams are rough, and why they may be.
 fn rough_seams(seams: usize, step: f64, after_the_fix: bool) -> String {
     let are = if seams == 1 { "is" } else { "are" };
-    let when = if after_the_fix { " after the fix" } else { "" };
+    let when = when(after_the_fix);
     format!(
         "{seams} of 12 seams {are} rough{when} (mean step {step:.1} of 255), but the geometry fits: {ROUGH_REASONS}"
     )
@@ -256,7 +261,7 @@ fn mirrored(now: &[Face], after: &[Face], changes: bool) -> String {
 
 fn sky_place(sky: Face, up: SignedAxis, there: bool, after_the_fix: bool) -> String {
     let sky = sky.name();
-    let when = if after_the_fix { " after the fix" } else { "" };
+    let when = when(after_the_fix);
     if there {
         return format!("the sky seems to be {sky}: at the declared up axis {up}{when}");
     }

@@ -103,7 +103,7 @@ impl Question<'_> {
         let needed = puzzle.compare_without(arrangement, &given, &strangers).is_decisive();
         let found = if needed { *arrangement } else { given };
         let image = arrangement.images[foreign.face.index()];
-        let face = Face::ALL.into_iter().find(|face| found.images[face.index()] == image).unwrap_or(foreign.face);
+        let face = found.face_of(image).unwrap_or(foreign.face);
         let solution = self.solution(found, None, &strangers, 1)?;
         Ok(self.keeping_undecided(Solution { foreign: Some(Foreign { face, ..foreign }), ..solution }))
     }

@@ -74,11 +74,13 @@ impl Sums {
         self.back += radiance.as_dvec3() * (-share).max(0.0);
     }
 
+    fn plus(self, other: Self) -> Self {
+        Self { front: self.front + other.front, back: self.back + other.back }
+    }
+
     /// The sum of the rows, in their order.
     fn of_rows(rows: usize, row: impl Fn(usize) -> Self + Sync) -> Self {
-        parallel::map(0..rows, row)
-            .into_iter()
-            .fold(Self::default(), |sum, row| Self { front: sum.front + row.front, back: sum.back + row.back })
+        parallel::map(0..rows, row).into_iter().fold(Self::default(), Self::plus)
     }
 }
 
@@ -124,8 +126,7 @@ fn of_latitudes(
 fn of_cube_map(map: &CubeMap, normal: DVec3) -> Result<Sums> {
     let mut sums = Sums::default();
     for face in Face::ALL {
-        let of_face = of_face(map, face, normal)?;
-        sums = Sums { front: sums.front + of_face.front, back: sums.back + of_face.back };
+        sums = sums.plus(of_face(map, face, normal)?);
     }
     Ok(sums)
 }

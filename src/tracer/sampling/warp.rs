@@ -1,4 +1,4 @@
-//! From uniform numbers to points on discs.
+//! From uniform numbers to points on discs and places among weights.
 
 use crate::math::DVec2;
 use crate::math::functions::sin_cos_turns;
@@ -15,6 +15,17 @@ pub fn concentric_disc([a, b]: [f64; 2]) -> DVec2 {
     let (radius, eighths) = if x.abs() > y.abs() { (x, y / x) } else { (y, 2.0 - x / y) };
     let (sine, cosine) = sin_cos_turns(eighths / 8.0);
     DVec2::new(radius * cosine, radius * sine)
+}
+
+/// Which of `count` weights laid end to end a number falls into, and how far: the last one for numbers beyond all.
+#[inline(always)]
+pub fn among_weights(count: usize, weight: impl Fn(usize) -> f64, number: f64) -> (usize, f64) {
+    let (mut chosen, mut left) = (0, number);
+    while chosen + 1 < count && left >= weight(chosen) {
+        left -= weight(chosen);
+        chosen += 1;
+    }
+    (chosen, left)
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use super::super::direct::View;
 use crate::math::functions::sin_cos_turns;
 use crate::math::{DVec3, Frame};
+use crate::sampling::warp::among_weights;
 use crate::scene::Plan;
 use crate::shapes::{BoundingBall, Surface};
 
@@ -60,7 +61,7 @@ impl Obstacles {
         self.count == 0
     }
 
-    /// The share of the sky, weighted by the cosine, that shapes may fill: about right, above 1 where their cones overlap.
+    /// The share of the sky, weighted by the cosine, that shapes may fill: about right, too large where their cones overlap.
     #[inline]
     pub fn share(&self) -> f64 {
         self.weight
@@ -70,12 +71,7 @@ impl Obstacles {
     #[inline]
     pub fn draw(&self, place: [f64; 2], choice: f64) -> (DVec3, f64) {
         let cones = &self.cones[..self.count];
-        let mut rest = choice * self.weight;
-        let mut chosen = 0;
-        while chosen + 1 < cones.len() && rest >= cones[chosen].weight {
-            rest -= cones[chosen].weight;
-            chosen += 1;
-        }
+        let (chosen, _) = among_weights(cones.len(), |cone| cones[cone].weight, choice * self.weight);
         let direction = cones[chosen].draw(place);
         // The cones may overlap: the density is that of all together.
         let density: f64 = cones

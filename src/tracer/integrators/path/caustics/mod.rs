@@ -18,6 +18,7 @@ use std::collections::BTreeMap;
 
 use super::lights::LightTables;
 use crate::math::DVec3;
+use crate::sampling::warp::among_weights;
 use crate::scene::{Plan, Scene};
 use landed::{Landed, LightAhead};
 use photon::{Forecast, Photon};
@@ -64,7 +65,7 @@ impl CausticGuide {
             let photons = source.photons(&landed, width, number as u32);
             all.extend_from_slice(&photons);
             let turns = landed[0].chain.turns.iter().rev().copied().collect();
-            ways.push(Way { turns, code, photons: PhotonTree::new(photons) });
+            ways.push(Way { turns, code, photons: PhotonTree::new(photons).with_drift() });
         }
         (!ways.is_empty()).then(|| Self { ways, all: PhotonTree::new(all) })
     }
@@ -117,12 +118,7 @@ impl<'g> Directions<'g> {
         let photons = photons.near(self.point);
         let forecasts = self.forecasts(photons);
         let total: f64 = forecasts.iter().map(|forecast| forecast.weight).sum();
-        let mut left = rest * total;
-        let mut chosen = 0;
-        while chosen + 1 < photons.len() && left >= forecasts[chosen].weight {
-            left -= forecasts[chosen].weight;
-            chosen += 1;
-        }
+        let (chosen, _) = among_weights(photons.len(), |photon| forecasts[photon].weight, rest * total);
         let direction = photons.get(chosen)?.draw(&forecasts[chosen], place);
         let density = probability * mixed_density(photons, &forecasts, direction);
         Some(FocusedDirection { direction, density, turns })
@@ -155,15 +151,9 @@ impl<'g> Directions<'g> {
     #[inline]
     fn draw_way(&self, choice: f64) -> (usize, f64, f64) {
         let probability = self.probabilities();
-        let (mut left, mut way) = (choice, 0);
-        loop {
-            let of_way = probability(way);
-            if left < of_way || way + 1 == self.guide.ways.len() {
-                return (way, of_way, (left / of_way).min(1.0 - f64::EPSILON));
-            }
-            left -= of_way;
-            way += 1;
-        }
+        let (way, left) = among_weights(self.guide.ways.len(), &probability, choice);
+        let of_way = probability(way);
+        (way, of_way, (left / of_way).min(1.0 - f64::EPSILON))
     }
 
     /// What each photon foresees; none where there is no photon.

@@ -38,6 +38,16 @@ impl PhotonTree {
         Self { photons, nodes }
     }
 
+    /// The same photons, each with what its neighbours tell of its forecast.
+    pub fn with_drift(mut self) -> Self {
+        for node in &self.nodes {
+            if let Node::Leaf { first, last, .. } = node {
+                learn_drift(&mut self.photons[*first as usize..*last as usize]);
+            }
+        }
+        self
+    }
+
     /// The photons around a place; empty where there are none.
     #[inline]
     pub fn near(&self, point: DVec3) -> &[Photon] {
@@ -62,7 +72,6 @@ fn split(photons: &mut [Photon], first: u32, nodes: &mut Vec<Node>) {
     let bounds = Bounds::around(photons.iter().map(|photon| photon.position));
     let extent = bounds.extent();
     if photons.len() <= HANDFUL {
-        learn_drift(photons);
         // Around few photons the light does not end where the last one landed.
         let margin = DVec3::splat(MARGIN * extent.max_element() + 1e-9);
         let bounds = Bounds { minimum: bounds.minimum - margin, maximum: bounds.maximum + margin };
