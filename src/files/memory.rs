@@ -12,6 +12,9 @@
 /// Size of a large page, of most processors.
 const LARGE_PAGE: usize = 2 << 20;
 
+/// Size of a small page, or a part of it.
+const SMALL_PAGE: usize = 4 << 10;
+
 /// An empty vector with room for `capacity` elements, on large pages where the system has them.
 ///
 /// Measured with a million triangles in six runs each, side by side on a busy machine: 1.02 to 1.31 times as many random
@@ -23,14 +26,15 @@ pub fn on_large_pages<T>(capacity: usize) -> Vec<T> {
     vector
 }
 
-/// So many zeros, on large pages where the system has them. Memory that is new to the process is not written to.
+/// So many times `zero`, on large pages where the system has them. Of zeros that are numbers or arrays of numbers, memory that
+/// is new to the process is not written to (as the standard library does it today; nothing but time depends on that).
 ///
 /// Measured with bilinear lookups in six pictures of 2048 x 2048 texels in eleven runs each, side by side: 0.9 to 1.7 times
 /// as many random ones a second, median 1.4; coherent ones are the same within the noise.
-pub fn zeros_on_large_pages(length: usize) -> Vec<u8> {
-    let mut bytes = vec![0; length];
-    ask_within(bytes.as_mut_ptr(), length);
-    bytes
+pub fn zeros_on_large_pages<T: Clone>(zero: T, length: usize) -> Vec<T> {
+    let mut vector = vec![zero; length];
+    ask_within(vector.as_mut_ptr().cast(), size_of_val(vector.as_slice()));
+    vector
 }
 
 /// Bytes that come from memory at once.
@@ -63,33 +67,44 @@ fn prefetch_line(address: *const u8) {
     let _ = address;
 }
 
-/// Asks for large pages wherever a whole one fits into an allocation.
+/// Asks for large pages for an allocation that has room for one. The small page that it starts in is asked for, too: a large
+/// allocation often starts a few bytes behind the start of a large page.
 fn ask_within(allocation: *mut u8, length: usize) {
-    let start = allocation.addr();
-    let skipped = start.next_multiple_of(LARGE_PAGE) - start;
+    if length < LARGE_PAGE {
+        return;
+    }
+    let before = allocation.addr() % SMALL_PAGE;
+    if ask_for_large_pages(allocation.wrapping_sub(before), before + length) {
+        return;
+    }
+    // Where even small pages are larger than that, they start elsewhere: large ones within the allocation.
+    let skipped = allocation.addr().next_multiple_of(LARGE_PAGE) - allocation.addr();
     let whole = length.saturating_sub(skipped) / LARGE_PAGE * LARGE_PAGE;
     if whole > 0 {
         ask_for_large_pages(allocation.wrapping_add(skipped), whole);
     }
 }
 
-/// Asks Linux to back what was not touched yet of a piece of memory by large pages ("transparent huge pages").
+/// Asks Linux to back what was not touched yet of a piece of memory by large pages ("transparent huge pages"). False if it
+/// refuses: where `start` is no start of a page, or where there are no large ones.
 #[cfg(target_os = "linux")]
-fn ask_for_large_pages(start: *mut u8, length: usize) {
+fn ask_for_large_pages(start: *mut u8, length: usize) -> bool {
     use std::ffi::{c_int, c_void};
     unsafe extern "C" {
         fn madvise(start: *mut c_void, length: usize, advice: c_int) -> c_int;
     }
     /// From `<linux/mman.h>`, the same for all processors.
     const MADV_HUGEPAGE: c_int = 14;
-    // SAFETY: `start` and `length` lie within an allocation of the caller, and the advice changes neither what the
-    // memory holds nor how it may be used (madvise(2)). A system that does not know or heed it returns an error or
-    // does nothing: both leave small pages, which are right too.
-    unsafe { madvise(start.cast(), length, MADV_HUGEPAGE) };
+    // SAFETY: the pages hold an allocation of the caller, and the advice changes neither what memory holds nor how it may
+    // be used (madvise(2)), not even that of others in the first and the last page. A system that does not know or heed it
+    // returns an error or does nothing: both leave small pages, which are right too.
+    unsafe { madvise(start.cast(), length, MADV_HUGEPAGE) == 0 }
 }
 
 #[cfg(not(target_os = "linux"))]
-fn ask_for_large_pages(_start: *mut u8, _length: usize) {}
+fn ask_for_large_pages(_start: *mut u8, _length: usize) -> bool {
+    false
+}
 
 #[cfg(test)]
 mod tests {
@@ -112,8 +127,11 @@ mod tests {
     fn zeros_are_zero_whatever_was_there() {
         for length in [0, 1, LARGE_PAGE + 1, 3 * LARGE_PAGE] {
             drop(vec![1u8; length]);
-            let zeros = zeros_on_large_pages(length);
+            let zeros = zeros_on_large_pages(0u8, length);
             assert!(zeros.len() == length && zeros.iter().all(|&byte| byte == 0));
+            drop(vec![1.0; length]);
+            let zeros = zeros_on_large_pages([0.0; 3], length / 16);
+            assert!(zeros.len() == length / 16 && zeros.iter().all(|sum| *sum == [0.0; 3]));
         }
     }
 

@@ -22,7 +22,7 @@ const LOOKUPS: usize = 1 << 20;
 fn cube_map(filter: CubeFilter) -> CubeMap {
     let images = std::array::from_fn(|image| {
         // As decoded pictures are.
-        let mut bytes = zeros_on_large_pages(SIZE * SIZE * 3);
+        let mut bytes = zeros_on_large_pages(0, SIZE * SIZE * 3);
         bytes.iter_mut().enumerate().for_each(|(index, byte)| *byte = (index * (image + 7)) as u8);
         let header = Header { width: SIZE, height: SIZE, format: Format::Png, bit_depth: 8, alpha: false };
         LazyImage::ready(Picture::new(header, Texels::Srgb8(bytes)))

@@ -89,7 +89,7 @@ fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
 
 /// Three bytes a pixel, in memory for reading at random places.
 fn read_bytes(decoder: Box<dyn ImageDecoder + '_>) -> ImageResult<Samples> {
-    let mut bytes = zeros_on_large_pages(decoder.total_bytes() as usize);
+    let mut bytes = zeros_on_large_pages(0, decoder.total_bytes() as usize);
     decoder.read_image_boxed(&mut bytes)?;
     Ok(Samples::Bytes(3, bytes))
 }
