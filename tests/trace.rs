@@ -141,3 +141,23 @@ fn the_tree_reads_well_and_errors_are_clear() {
     assert_eq!(code, Some(2));
     assert!(error.contains("at most 15"), "{error}");
 }
+
+#[test]
+fn every_ray_ends_once_even_where_a_glass_was_never_left() {
+    // A disc of glass has no other side: rays enter it and find out later that they are not inside.
+    let text = "camera = { position = [-3.4919, -5.1187, -5.1404], target = [0.8688, -0.8169, 0.2588], size = [37, 21], \
+        samples = 2, sampler = \"independent\" }\n\
+        environment = { kind = \"constant\", radiance = 1 }\nintegrator = { depth = 5, weight_cutoff = 0 }\n\
+        materials.glass = { kind = \"glass\" }\nshapes = [\n\
+        { kind = \"sphere\", centre = [-2.2078, -1.8356, -1.901], radius = 2.3687, material = \"glass\" },\n\
+        { kind = \"disc\", centre = [-0.5456, 0.082, -0.4482], normal = [0.7614, -0.662, -0.8531], radius = 1.5856, \
+        material = \"glass\" }]\n";
+    let scene = Scene::from_text(text, Path::new("disc.toml")).unwrap();
+    let plan = Plan::new(&scene);
+    for pixel in (0..37 * 21).map(|number| [number % 37, number / 37]) {
+        let events = PixelTrace::of(&scene, &plan, pixel, 0).unwrap().events;
+        let count = |counts: fn(&Event) -> bool| events.iter().filter(|event| counts(event)).count();
+        let rays = count(|event| matches!(event, Event::Ray { .. }));
+        assert_eq!(count(|event| matches!(event, Event::End { .. })), rays, "{pixel:?}");
+    }
+}

@@ -20,7 +20,7 @@
 //! ```
 
 use crate::math::functions::{cos, sin};
-use crate::math::{DVec3, Ray};
+use crate::math::{DVec2, DVec3, Ray};
 use crate::sampling::warp::concentric_disc;
 
 /// A camera that sees a rectangle of a plane through a point.
@@ -34,6 +34,8 @@ pub struct Camera {
     forward: DVec3,
     width: usize,
     height: usize,
+    /// Width and height again, as numbers to divide by.
+    extent: DVec2,
     lens: Option<Lens>,
 }
 
@@ -75,6 +77,7 @@ impl Camera {
             forward,
             width,
             height,
+            extent: DVec2::new(width as f64, height as f64),
             lens: None,
         })
     }
@@ -93,7 +96,7 @@ impl Camera {
     pub fn resized(self, [width, height]: [usize; 2]) -> Self {
         let half_height = self.top.length();
         let right = self.right.normalize() * (half_height * width as f64 / height as f64);
-        Self { right, width, height, ..self }
+        Self { right, width, height, extent: DVec2::new(width as f64, height as f64), ..self }
     }
 
     /// Width and height in pixels.
@@ -112,20 +115,28 @@ impl Camera {
         Ray::new(self.position, self.towards(x, y).normalize())
     }
 
-    /// The ray through a place of the picture and a place of the lens, both numbers uniform in `[0, 1)`. A pinhole has
-    /// one place only.
+    /// Origin and direction of the ray through a place of the picture and a place of the lens, both numbers uniform in
+    /// `[0, 1)`; a pinhole has one place only. The direction is of any length.
     #[inline]
-    pub fn ray_through_lens(&self, x: f64, y: f64, lens_place: [f64; 2]) -> Ray {
-        let Some(Lens { radius, focus }) = self.lens else { return self.ray(x, y) };
-        let point = concentric_disc(lens_place) * radius;
-        let offset = self.right.normalize() * point.x + self.top.normalize() * point.y;
-        Ray::new(self.position + offset, (self.towards(x, y) * focus - offset).normalize())
+    pub fn sight(&self, x: f64, y: f64, lens_place: [f64; 2]) -> (DVec3, DVec3) {
+        let towards = self.towards(x, y);
+        let Some(lens) = self.lens else { return (self.position, towards) };
+        let offset = self.place_on_lens(lens, lens_place);
+        (self.position + offset, towards * lens.focus - offset)
+    }
+
+    /// A place of the lens, relative to its middle.
+    #[inline(never)]
+    fn place_on_lens(&self, lens: Lens, place: [f64; 2]) -> DVec3 {
+        let point = concentric_disc(place) * lens.radius;
+        self.right.normalize() * point.x + self.top.normalize() * point.y
     }
 
     /// The view through a place of the picture, of length 1 along the forward direction.
+    #[inline(always)]
     fn towards(&self, x: f64, y: f64) -> DVec3 {
-        let across = 2.0 * x / self.width as f64 - 1.0;
-        let upwards = 1.0 - 2.0 * y / self.height as f64;
+        let across = 2.0 * x / self.extent.x - 1.0;
+        let upwards = 1.0 - 2.0 * y / self.extent.y;
         self.forward + self.right * across + self.top * upwards
     }
 }
@@ -152,7 +163,8 @@ mod tests {
             |ray: Ray| ray.at((3.0 - (ray.origin - camera.position()).dot(forward)) / ray.direction.dot(forward));
         let expected = in_focus(pinhole.ray(1.25, 4.5));
         for place in [[0.0, 0.0], [0.1, 0.9], [0.5, 0.5], [0.99, 0.3]] {
-            let ray = camera.ray_through_lens(1.25, 4.5, place);
+            let (origin, towards) = camera.sight(1.25, 4.5, place);
+            let ray = Ray::new(origin, towards.normalize());
             assert!((in_focus(ray) - expected).length() < 1e-12);
             assert!((ray.origin - camera.position()).length() <= 0.5 + 1e-12);
             assert!((ray.origin - camera.position()).dot(forward).abs() < 1e-12);

@@ -46,6 +46,14 @@ pub struct Illumination {
 }
 
 impl Light {
+    /// Where all its light comes from; `None` if that is no point.
+    pub fn position(&self) -> Option<DVec3> {
+        match *self {
+            Light::Point { position, .. } | Light::Spot { position, .. } => Some(position),
+            Light::Ambient { .. } | Light::Directional { .. } => None,
+        }
+    }
+
     /// True if something between light and point can shadow it.
     pub fn casts_shadows(&self) -> bool {
         !matches!(self, Light::Ambient { .. })

@@ -20,8 +20,8 @@ fn samples_at(scene: &Scene, point: DVec3, count: u32) -> Vec<Vec3> {
     let media = integrator.media_around(ray.origin);
     let sampling = Sampling { sampler: SamplerKind::Independent, ..Sampling::default() };
     let sample = |index| {
-        let mut sampler = PixelSampler::chosen(sampling, 1, 2, index);
-        integrator.radiance(&ray, &media, &mut sampler, &mut RayCounts::default())
+        let sampler = PixelSampler::chosen(sampling, 1, 2, index);
+        integrator.radiance(&ray, &media, sampler, &mut RayCounts::default())
     };
     (0..count).map(sample).collect()
 }

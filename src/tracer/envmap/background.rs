@@ -18,7 +18,7 @@ pub struct Gradient {
 impl Gradient {
     /// The colour in a unit direction, linear in the sine of the elevation.
     pub fn sample(&self, direction: DVec3) -> Vec3 {
-        let height = direction.dot(self.up.direction().as_dvec3()) as f32;
+        let height = self.up.sign() * [direction.x, direction.y, direction.z][usize::from(self.up.axis)] as f32;
         let end = if height >= 0.0 { self.zenith } else { self.nadir };
         self.horizon.lerp(end, height.abs().min(1.0))
     }

@@ -5,53 +5,22 @@ use std::f32::consts::PI;
 use super::RayCounts;
 use super::normals;
 use super::observer::{Event, LightOutcome, Observer};
+use super::view::{Vertex, View};
 use crate::lights::Light;
 use crate::materials::fresnel::reflect;
 use crate::materials::{Material, phong_lobe};
 use crate::math::{DVec2, DVec3, Departure, Ray, Side, Vec3};
-use crate::scene::{Mistake, Plan, Scene};
-use crate::shapes::Surface;
-
-/// A surface as the ray sees it: the normals turned to the ray's side.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct View {
-    /// Side of the true surface that the ray comes from.
-    pub side: Side,
-    /// True normal on the ray's side.
-    pub normal: DVec3,
-    /// Shading normal on the ray's side.
-    pub shading_normal: DVec3,
-}
-
-impl View {
-    /// The surface seen along a direction.
-    #[inline]
-    pub fn new(surface: &Surface, direction: DVec3) -> Self {
-        let side = Side::of(-direction, surface.normal);
-        let turned = |normal: DVec3| if side == Side::Front { normal } else { -normal };
-        let normal = turned(surface.normal);
-        let shading_normal = turned(surface.shading_normal);
-        // An interpolated normal may look away from the ray at a silhouette: there the true one serves.
-        let visible = shading_normal.dot(direction) < 0.0;
-        Self { side, normal, shading_normal: if visible { shading_normal } else { normal } }
-    }
-
-    /// The hit as an observer is told of it.
-    pub fn hit(&self, surface: &Surface, ray: &Ray, distance: f64, transmittance: Vec3) -> Event {
-        let cosine = -ray.direction.dot(self.shading_normal);
-        let Self { side, shading_normal, .. } = *self;
-        Event::Hit { surface: *surface, side, shading_normal, distance, cosine, transmittance }
-    }
-}
+use crate::scene::{IntegratorKind, Mistake, Plan, Scene};
+use crate::shapes::{Outlook, Surface};
 
 /// The ray from a surface towards a light; for lessons, with the mistake they ask for.
 #[inline]
-fn shadow_ray(mistake: Option<Mistake>, surface: &Surface, side: Side, to_light: DVec3) -> Ray {
+fn shadow_ray(mistake: Option<Mistake>, vertex: &Vertex, to_light: DVec3) -> Ray {
     match mistake {
-        Some(Mistake::ShadowAcne) => Ray::new(surface.position.as_vec3().as_dvec3(), to_light),
+        Some(Mistake::ShadowAcne) => Ray::new(vertex.position.as_vec3().as_dvec3(), to_light),
         None => {
-            let departure = Departure { surface: surface.id, side };
-            Ray { origin: surface.position, direction: to_light, departure: Some(departure) }
+            let departure = Departure { surface: vertex.id, side: vertex.view.side };
+            Ray { origin: vertex.position, direction: to_light, departure: Some(departure) }
         }
     }
 }
@@ -67,21 +36,31 @@ pub(super) const COORDINATES_COLOUR: &str = "texture coordinates as red and gree
 pub(super) const SHINES: &str = "shines by itself";
 
 /// What a surface does with light that arrives from lights.
-struct Reflection {
+#[derive(Clone, Copy)]
+pub struct Reflection {
     diffuse: Vec3,
-    /// Colour and exponent of a Phong highlight.
-    highlight: Option<(Vec3, f32)>,
+    highlight: Option<Highlight>,
+}
+
+/// A Phong highlight.
+#[derive(Clone, Copy)]
+struct Highlight {
+    specular: Vec3,
+    exponent: f32,
+    /// The direction in which a mirror would send the viewer's ray.
+    mirrored: DVec3,
 }
 
 /// What a surface shows in light of the sources alone.
-enum Appearance {
+pub(super) enum Appearance {
     /// A colour of its own, and what an observer is told of it.
     Own(&'static str, Vec3),
     Reflecting(Reflection),
 }
 
+/// What a surface shows to a ray of a direction.
 #[inline(always)]
-fn appearance(material: &Material, surface: &Surface, side: Side) -> Appearance {
+pub(super) fn appearance(material: &Material, surface: &Surface, view: &View, direction: DVec3) -> Appearance {
     let reflecting = |diffuse, highlight| Appearance::Reflecting(Reflection { diffuse, highlight });
     match material {
         Material::Normals => Appearance::Own(normals::NORMAL_COLOUR, normals::colour(surface.shading_normal)),
@@ -91,88 +70,94 @@ fn appearance(material: &Material, surface: &Surface, side: Side) -> Appearance 
         Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
             Appearance::Own("nothing that this integrator follows: black", Vec3::ZERO)
         }
-        Material::Light { radiance } if side == Side::Front => Appearance::Own(SHINES, *radiance),
+        Material::Light { radiance } if view.side == Side::Front => Appearance::Own(SHINES, *radiance),
         Material::Light { .. } => Appearance::Own("back of a light: black", Vec3::ZERO),
         Material::Lambert { colour } | Material::Coated { colour, .. } => {
             reflecting(colour.at(surface.texture_coordinates), None)
         }
         Material::Phong { diffuse, specular, exponent } => {
-            reflecting(diffuse.at(surface.texture_coordinates), Some((*specular, *exponent)))
+            let mirrored = reflect(direction, view.shading_normal);
+            let highlight = Highlight { specular: *specular, exponent: *exponent, mirrored };
+            reflecting(diffuse.at(surface.texture_coordinates), Some(highlight))
         }
     }
 }
 
-/// The colour a surface shows by itself: debugging colours, or reflected light of all sources.
-#[inline(always)]
-pub(super) fn local_radiance<O: Observer>(
+/// A vertex that reflects the light of sources.
+pub struct Lit {
+    pub vertex: Vertex,
+    pub reflection: Reflection,
+}
+
+/// The view from each light source, if it has a place and shadow rays go there.
+pub(super) fn outlooks(scene: &Scene, plan: &Plan) -> Vec<Option<Outlook>> {
+    let asks = matches!(plan.integrator, IntegratorKind::Phong | IntegratorKind::Whitted);
+    // Rays with a mistake do not go to the light exactly.
+    let exact = asks && plan.shadow_rays && scene.integrator.mistake.is_none();
+    let position = |light: &Light| light.position().filter(|_| exact);
+    scene.lights.iter().map(|light| scene.shapes.outlook(position(light)?)).collect()
+}
+
+/// Adds the light of sources that vertices reflect to the radiance of their rays: light by light, each for all of them.
+pub(super) fn illuminate<O: Observer>(
     scene: &Scene,
     plan: &Plan,
-    ray: &Ray,
-    surface: &Surface,
-    view: &View,
+    outlooks: &[Option<Outlook>],
+    lit: &[Lit],
+    radiances: &mut [Vec3],
     counts: &mut RayCounts,
     observer: &mut O,
-) -> Vec3 {
-    let reflection = match appearance(&scene.materials[surface.material as usize], surface, view.side) {
-        Appearance::Own(what, colour) => {
-            observer.note(|| Event::Own { what, colour });
-            return colour;
-        }
-        Appearance::Reflecting(reflection) => reflection,
-    };
-    if !plan.direct_light {
-        return Vec3::ZERO;
+) {
+    if !plan.direct_light || lit.is_empty() {
+        return;
     }
-    let mirrored = reflect(ray.direction, view.shading_normal);
-    let point = Point { scene, shadows: plan.shadow_rays, surface, view, mirrored, reflection };
-    let mut radiance = Vec3::ZERO;
-    for (number, light) in scene.lights.iter().enumerate() {
-        let outcome = point.light(light, counts);
-        if let LightOutcome::Ambient { contribution } | LightOutcome::Free { contribution, .. } = outcome {
-            radiance += contribution;
+    for (number, (light, outlook)) in scene.lights.iter().zip(outlooks).enumerate() {
+        let arriving = Arriving { scene, light, shadows: plan.shadow_rays, outlook: outlook.as_ref() };
+        for Lit { vertex, reflection } in lit {
+            let outcome = arriving.at(vertex, reflection, counts);
+            if let LightOutcome::Ambient { contribution } | LightOutcome::Free { contribution, .. } = outcome {
+                radiances[vertex.path] += contribution;
+            }
+            observer.note(|| Event::Light { number, outcome });
         }
-        observer.note(|| Event::Light { number, outcome });
     }
-    radiance
 }
 
-/// A point of a surface that lights shine on.
-struct Point<'a> {
+/// A light, and what may be in its way.
+struct Arriving<'a> {
     scene: &'a Scene,
+    light: &'a Light,
     /// False if nothing casts shadows.
     shadows: bool,
-    surface: &'a Surface,
-    view: &'a View,
-    /// The direction in which a mirror would send the viewer's ray.
-    mirrored: DVec3,
-    reflection: Reflection,
+    /// The view from the light, if it has a place.
+    outlook: Option<&'a Outlook>,
 }
 
-impl Point<'_> {
-    /// What a light does here.
+impl Arriving<'_> {
+    /// What the light does at a vertex.
     #[inline(always)]
-    fn light(&self, light: &Light, counts: &mut RayCounts) -> LightOutcome {
-        let Self { scene, surface, view, reflection, .. } = self;
-        if let Light::Ambient { radiance } = light {
+    fn at(&self, vertex: &Vertex, reflection: &Reflection, counts: &mut RayCounts) -> LightOutcome {
+        if let Light::Ambient { radiance } = self.light {
             return LightOutcome::Ambient { contribution: reflection.diffuse * *radiance };
         }
-        let Some(arriving) = light.illumination(surface.position) else { return LightOutcome::Unreached };
+        let Vertex { position, view, .. } = vertex;
+        let Some(arriving) = self.light.illumination(*position) else { return LightOutcome::Unreached };
         let cosine = view.shading_normal.dot(arriving.to_light);
         // Light must reach the true surface from the side that is looked at.
         if cosine <= 0.0 || view.normal.dot(arriving.to_light) <= 0.0 {
             return LightOutcome::Behind;
         }
-        let ray = shadow_ray(scene.integrator.mistake, surface, view.side, arriving.to_light);
+        let ray = shadow_ray(self.scene.integrator.mistake, vertex, arriving.to_light);
         let distance = arriving.distance;
         if self.shadows {
             counts.shadow += 1;
-            if scene.shapes.occluded(&ray, distance) {
+            if self.scene.shapes.occluded_from(self.outlook, &ray, distance) {
                 return LightOutcome::Blocked { ray, distance };
             }
         }
         let mut reflectance = reflection.diffuse / PI;
-        if let Some((specular, exponent)) = reflection.highlight {
-            reflectance += specular * phong_lobe(self.mirrored.dot(arriving.to_light) as f32, exponent);
+        if let Some(Highlight { specular, exponent, mirrored }) = reflection.highlight {
+            reflectance += specular * phong_lobe(mirrored.dot(arriving.to_light) as f32, exponent);
         }
         let contribution = reflectance * arriving.irradiance * cosine as f32;
         LightOutcome::Free { ray, distance, cosine, contribution }

@@ -1,8 +1,8 @@
 //! The glasses that rays go through.
 
-use super::direct::View;
+use super::view::View;
 use crate::materials::{Material, Medium, MediumStack, beer_lambert};
-use crate::math::{DVec3, Departure, Ray, Side, Vec3};
+use crate::math::{DVec3, Departure, Ray, Side, SurfaceId, Vec3};
 use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
 
@@ -48,16 +48,28 @@ pub(super) fn medium_before(media: &MediumStack, surface: &Surface, view: &View)
     media.before(met(surface), view.side)
 }
 
-/// The glasses on the far side of a surface that light passes.
+/// The glass on the far side of a surface that light passes; `None` if that is free space.
 #[inline]
-pub(super) fn beyond(media: &MediumStack, surface: &Surface, view: &View) -> MediumStack {
-    media.beyond(met(surface), view.side)
+pub(super) fn medium_beyond(media: &MediumStack, surface: &Surface, view: &View) -> Option<Medium> {
+    media.innermost_beyond(met(surface), view.side)
+}
+
+/// Passes a surface with light: `media` become the glasses on the far side.
+#[inline]
+pub(super) fn pass(media: &mut MediumStack, surface: &Surface, view: &View) {
+    media.pass(met(surface), view.side);
 }
 
 /// The glass, if it is one, that a surface encloses.
 #[inline]
 fn met(surface: &Surface) -> Medium {
-    Medium { shape: surface.id.shape, material: surface.material }
+    enclosed(surface.id, surface.material)
+}
+
+/// The same by the number of its material.
+#[inline]
+pub(super) fn enclosed(surface: SurfaceId, material: u32) -> Medium {
+    Medium { shape: surface.shape, material }
 }
 
 /// Surfaces met at most on the way out.
@@ -92,5 +104,5 @@ pub fn media_around(scene: &Scene, plan: &Plan, point: DVec3) -> MediumStack {
         let departure = Departure { surface: surface.id, side: side.opposite() };
         ray = Ray { origin: surface.position, departure: Some(departure), ..ray };
     }
-    enclosing.into_iter().rev().fold(MediumStack::default(), MediumStack::entering)
+    enclosing.into_iter().rev().collect()
 }

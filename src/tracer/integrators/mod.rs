@@ -1,14 +1,16 @@
 //! Integrators: from a camera ray to the radiance of a pixel.
 
+mod bundle;
 mod cost;
 mod direct;
 mod media;
 mod normals;
 mod observer;
 mod path;
-mod phong;
+mod view;
 mod whitted;
 
+pub use bundle::Bundle;
 pub use cost::RayCounts;
 pub use observer::{Blind, Event, LightOutcome, Observer, RayKind, Recorder};
 
@@ -17,8 +19,10 @@ use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
 use crate::scene::{IntegratorKind, Plan, Scene};
-use direct::View;
+use crate::shapes::Outlook;
+use media::Media;
 use path::PathTables;
+use view::View;
 
 /// A scene made ready for rendering by its plan.
 pub struct Integrator<'a> {
@@ -26,15 +30,8 @@ pub struct Integrator<'a> {
     plan: &'a Plan,
     /// What the path tracer looks up; `None` for the others.
     path: Option<PathTables>,
-}
-
-/// What every integrator works on and with.
-struct Task<'a, O> {
-    scene: &'a Scene,
-    plan: &'a Plan,
-    sampler: &'a mut PixelSampler,
-    counts: &'a mut RayCounts,
-    observer: &'a mut O,
+    /// The view from each light source, where it may save the others work.
+    outlooks: Vec<Option<Outlook>>,
 }
 
 /// What a camera ray meets first.
@@ -54,38 +51,54 @@ impl<'a> Integrator<'a> {
             IntegratorKind::Path => Some(PathTables::new(scene, plan)?),
             _ => None,
         };
-        Ok(Self { scene, plan, path })
+        Ok(Self { scene, plan, path, outlooks: direct::outlooks(scene, plan) })
     }
 
-    /// The radiance along a camera ray.
-    ///
-    /// `media` are the glasses around the ray's origin. The counts of rays grow by what was traced; the sampler delivers
-    /// random decisions.
-    #[inline]
-    pub fn radiance(&self, ray: &Ray, media: &MediumStack, sampler: &mut PixelSampler, counts: &mut RayCounts) -> Vec3 {
-        self.observed_radiance(ray, media, sampler, counts, &mut Blind)
+    /// An empty bundle for rays of the camera, which all start at `origin`, if there is one: that may save work.
+    pub fn bundle(&self, origin: Option<DVec3>) -> Bundle {
+        let Plan { integrator, reflection, refraction, .. } = *self.plan;
+        let sends_on = integrator == IntegratorKind::Whitted && (reflection || refraction);
+        let depth = if sends_on { self.scene.integrator.depth } else { 0 };
+        Bundle::new(depth, origin.and_then(|origin| self.scene.shapes.outlook(origin)))
     }
 
-    /// The same, watched.
+    /// Finds the radiance along the rays of a bundle. The counts of rays grow by what was traced.
     #[inline]
-    pub fn observed_radiance<O: Observer>(
-        &self,
-        ray: &Ray,
-        media: &MediumStack,
-        sampler: &mut PixelSampler,
-        counts: &mut RayCounts,
-        observer: &mut O,
-    ) -> Vec3 {
-        let Self { scene, plan, ref path } = *self;
-        counts.camera += 1;
-        observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
-        let task = Task { scene, plan, sampler, counts, observer };
-        match plan.integrator {
-            IntegratorKind::Normals => normals::radiance(task, ray),
-            IntegratorKind::Phong => phong::radiance(task, ray),
-            IntegratorKind::Whitted => whitted::radiance(task, ray, media),
-            IntegratorKind::Path => path.as_ref().map_or(Vec3::ZERO, |tables| path::radiance(task, tables, ray, media)),
+    pub fn trace(&self, bundle: &mut Bundle, counts: &mut RayCounts) {
+        self.trace_observed(bundle, counts, &mut Blind);
+    }
+
+    /// The same for a bundle of one ray, watched.
+    pub fn trace_observed<O: Observer>(&self, bundle: &mut Bundle, counts: &mut RayCounts, observer: &mut O) {
+        let Self { scene, plan, ref path, .. } = *self;
+        bundle.normalize();
+        counts.camera += bundle.rays().len() as u64;
+        for ray in bundle.rays() {
+            observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
         }
+        match plan.integrator {
+            IntegratorKind::Normals => bundle.each(|ray, _, _| normals::radiance(scene, ray, observer)),
+            IntegratorKind::Path => bundle.each(|ray, media, sampler| {
+                let task = path::Task { scene, plan, sampler, counts, observer };
+                path.as_ref().map_or(Vec3::ZERO, |tables| path::radiance(task, tables, ray, media))
+            }),
+            // Phong's follows nothing: the plan says so.
+            IntegratorKind::Phong | IntegratorKind::Whitted => {
+                let Bundle { outlook, samplers, levels } = bundle;
+                let (outlooks, media_of) = (&self.outlooks, Media { scene, absorption: plan.absorption });
+                let mut tracer = whitted::Tracer { scene, plan, outlooks, media_of, samplers, counts, observer };
+                tracer.trace(0, outlook.as_ref(), levels);
+            }
+        }
+    }
+
+    /// The radiance along one ray from free space, whose direction may have any length; `media` are the glasses around its
+    /// origin.
+    pub fn radiance(&self, ray: &Ray, media: &MediumStack, sampler: PixelSampler, counts: &mut RayCounts) -> Vec3 {
+        let mut bundle = self.bundle(Some(ray.origin));
+        bundle.push(ray.origin, ray.direction, media, sampler);
+        self.trace(&mut bundle, counts);
+        bundle.radiances()[0]
     }
 
     /// What was left out beyond the plan, after a look at the light itself; one sentence an item.

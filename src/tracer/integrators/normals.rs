@@ -1,12 +1,12 @@
 //! The shading normal as a colour.
 
-use super::Task;
-use super::direct::View;
 use super::observer::{Event, Observer};
+use super::view::View;
 use crate::math::{DVec3, Ray, Vec3};
+use crate::scene::Scene;
 
 /// `(n + 1) / 2` at the nearest hit, black where nothing is hit.
-pub(super) fn radiance<O: Observer>(Task { scene, observer, .. }: Task<O>, ray: &Ray) -> Vec3 {
+pub(super) fn radiance<O: Observer>(scene: &Scene, ray: &Ray, observer: &mut O) -> Vec3 {
     let radiance = match scene.shapes.intersect(ray) {
         Some(hit) => {
             let surface = scene.shapes.surface(ray, &hit);

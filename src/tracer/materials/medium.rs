@@ -12,6 +12,8 @@ pub struct Medium {
 
 /// Glasses whose inside the ray is in, innermost last. Holds [`MediumStack::CAPACITY`] entries without allocating;
 /// deeper nesting is not entered: the outermost entries are kept.
+// Of 64 bytes, which are copied in whole pieces.
+#[repr(align(16))]
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct MediumStack {
     media: [Medium; Self::CAPACITY],
@@ -42,25 +44,30 @@ impl MediumStack {
 
     /// The glasses for which `keep` says so of their shape.
     pub fn retaining(&self, keep: impl Fn(u32) -> bool) -> Self {
-        let entered = self.media[..usize::from(self.depth)].iter();
-        entered.filter(|medium| keep(medium.shape)).fold(Self::default(), |media, &medium| media.entering(medium))
+        let entered = &self.media[..usize::from(self.depth)];
+        entered.iter().copied().filter(|medium| keep(medium.shape)).collect()
     }
 
-    /// The stack after entering a glass. One that the ray is inside of already stays where it is: its surface was met
-    /// twice, as happens where it coincides with another.
+    /// Enters a glass. One that the ray is inside of already stays where it is: its surface was met twice, as happens where
+    /// it coincides with another.
     #[inline]
-    pub fn entering(mut self, medium: Medium) -> Self {
-        if usize::from(self.depth) < Self::CAPACITY && !self.contains(medium.shape) {
+    pub fn enter(&mut self, medium: Medium) {
+        if self.takes(medium.shape) {
             self.media[usize::from(self.depth)] = medium;
             self.depth += 1;
         }
-        self
     }
 
-    /// The stack after leaving a shape, which need not be the innermost one: overlapping glasses are left in any
-    /// order. A shape that was never entered changes nothing.
+    /// True if entering the shape would change the stack.
     #[inline]
-    pub fn leaving(mut self, shape: u32) -> Self {
+    fn takes(&self, shape: u32) -> bool {
+        usize::from(self.depth) < Self::CAPACITY && !self.contains(shape)
+    }
+
+    /// Leaves a shape, which need not be the innermost one: overlapping glasses are left in any order. A shape that was
+    /// never entered changes nothing.
+    #[inline]
+    pub fn leave(&mut self, shape: u32) {
         let depth = usize::from(self.depth);
         if let Some(place) = self.media[..depth].iter().rposition(|entered| entered.shape == shape) {
             self.media.copy_within(place + 1..depth, place);
@@ -68,7 +75,6 @@ impl MediumStack {
             // Equal stacks are equal throughout.
             self.media[usize::from(self.depth)] = Medium::default();
         }
-        self
     }
 
     /// The glass a ray came through to a side of the surface of `met`. A glass whose inside is met without having been
@@ -80,13 +86,35 @@ impl MediumStack {
         if unknown { Some(met) } else { self.innermost() }
     }
 
-    /// The glasses beyond the surface of `met`, for light that passes it from a side.
+    /// Passes the surface of `met` from a side.
     #[inline]
-    pub fn beyond(self, met: Medium, side: Side) -> Self {
+    pub fn pass(&mut self, met: Medium, side: Side) {
         match side {
-            Side::Front => self.entering(met),
-            Side::Back => self.leaving(met.shape),
+            Side::Front => self.enter(met),
+            Side::Back => self.leave(met.shape),
         }
+    }
+
+    /// The innermost glass beyond the surface of `met`, for light that passes it from a side: what [`pass`](Self::pass) would
+    /// leave innermost.
+    #[inline]
+    pub fn innermost_beyond(&self, met: Medium, side: Side) -> Option<Medium> {
+        match (side, self.innermost()) {
+            (Side::Front, _) if self.takes(met.shape) => Some(met),
+            (Side::Back, Some(innermost)) if innermost.shape == met.shape => {
+                self.depth.checked_sub(2).map(|below| self.media[usize::from(below)])
+            }
+            (_, innermost) => innermost,
+        }
+    }
+}
+
+impl FromIterator<Medium> for MediumStack {
+    /// Glasses entered one after the other, outermost first.
+    fn from_iter<I: IntoIterator<Item = Medium>>(media: I) -> Self {
+        let mut stack = Self::default();
+        media.into_iter().for_each(|medium| stack.enter(medium));
+        stack
     }
 }
 
@@ -106,14 +134,33 @@ mod tests {
     #[test]
     fn shapes_are_left_in_any_order() {
         let glass = |shape| Medium { shape, material: 10 + shape };
-        let stack = MediumStack::default().entering(glass(1)).entering(glass(2)).entering(glass(3));
-        assert_eq!(stack.leaving(2).innermost(), Some(glass(3)));
-        assert_eq!(stack.leaving(3).innermost(), Some(glass(2)));
-        assert_eq!(stack.leaving(7).innermost(), Some(glass(3)));
-        assert_eq!(MediumStack::default().leaving(1).innermost(), None);
-        assert_eq!(stack.leaving(1).leaving(2).leaving(3).innermost(), None);
-        assert_eq!(stack.entering(glass(2)), stack);
-        assert_eq!(stack.retaining(|shape| shape != 2), stack.leaving(2));
-        assert!(stack.is_nested() && !stack.leaving(1).leaving(3).is_nested());
+        let of = |shapes: &[u32]| shapes.iter().map(|&shape| glass(shape)).collect::<MediumStack>();
+        let without = |shapes: &[u32]| {
+            let mut stack = of(&[1, 2, 3]);
+            shapes.iter().for_each(|&shape| stack.leave(shape));
+            stack
+        };
+        let stack = of(&[1, 2, 3]);
+        assert_eq!(without(&[2]), of(&[1, 3]));
+        assert_eq!(without(&[3]), of(&[1, 2]));
+        assert_eq!(without(&[7]), stack);
+        assert_eq!(without(&[1, 2, 3]), MediumStack::default());
+        assert_eq!(of(&[1, 2, 3, 2]), stack, "entered twice");
+        assert_eq!(stack.retaining(|shape| shape != 2), of(&[1, 3]));
+        assert!(stack.is_nested() && !of(&[2]).is_nested());
+    }
+
+    #[test]
+    fn what_is_innermost_beyond_is_what_passing_leaves() {
+        let glass = |shape| Medium { shape, material: 10 + shape };
+        // From free space to more glasses than fit.
+        for depth in 0..=MediumStack::CAPACITY as u32 + 1 {
+            let stack: MediumStack = (0..depth).map(glass).collect();
+            for (shape, side) in (0..depth + 2).flat_map(|shape| [(shape, Side::Front), (shape, Side::Back)]) {
+                let mut passed = stack;
+                passed.pass(glass(shape), side);
+                assert_eq!(stack.innermost_beyond(glass(shape), side), passed.innermost(), "{depth} {shape} {side:?}");
+            }
+        }
     }
 }

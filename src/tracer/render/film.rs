@@ -1,124 +1,148 @@
-//! The film: what the samples of every pixel add up to.
+//! The film of a picture, tile by tile.
+//!
+//! ```text
+//!     tiles      |  0  |  1  |  2  | ...      how many samples each has, and what rays they took
+//!     sums       |.....|.....|...  | ...      the same room for every tile; small ones at the border leave some of it
+//! ```
 
 use super::layers::{LayerSums, Layers};
 use super::tile::Tile;
-use crate::integrators::{FirstHit, RayCounts};
+use super::tile_film::{Keeps, TileFilm, shown};
+use crate::integrators::RayCounts;
 use crate::math::{DVec3, Vec3};
+use crate::memory::{on_large_pages, zeros_on_large_pages};
 use crate::parallel;
 use crate::picture::Raster;
 
-/// The part of the film under one tile, all its pixels with the same count of samples.
-#[derive(Debug, Clone)]
-pub struct TileFilm {
-    /// Where in the picture.
-    pub tile: Tile,
-    /// Samples a pixel so far.
-    pub samples: u32,
-    /// Rays traced for all of them.
-    pub counts: RayCounts,
-    keeps: Keeps,
-    /// Sums of radiance times filter weight, in `f64` so that many samples do not lose the small ones; empty before the
-    /// first sample.
-    weighted: Vec<DVec3>,
+/// Pixels that there is room for in every tile.
+const ROOM: usize = Tile::SIDE * Tile::SIDE;
+
+/// The film of a picture. It takes no memory before the first sample: the thread that exposes a tile touches it first.
+#[derive(Debug)]
+pub struct Film {
+    size: [usize; 2],
+    pub keeps: Keeps,
+    exposures: Vec<Exposure>,
+    /// Sums of radiance times filter weight.
+    weighted: Vec<[f64; 3]>,
     /// Sums of radiance and of filter weights; empty for filters whose samples all count the same.
-    uneven: Vec<(DVec3, f64)>,
-    /// Empty unless layers were asked for.
-    layers: Vec<LayerSums>,
+    uneven: Vec<[f64; 4]>,
+    layers: Vec<Vec<LayerSums>>,
 }
 
-/// What a film keeps of every sample beside its weighted radiance.
-#[derive(Debug, Clone, Copy)]
-pub struct Keeps {
-    /// Samples count differently: their weights.
-    pub weights: bool,
-    /// Layers were asked for.
-    pub layers: bool,
+/// How far a tile is exposed.
+#[derive(Debug)]
+struct Exposure {
+    tile: Tile,
+    samples: u32,
+    counts: RayCounts,
 }
 
-impl TileFilm {
-    /// A film without samples. It takes no memory before the first: the thread that exposes it shall touch it first.
-    pub fn new(tile: Tile, keeps: Keeps) -> Self {
-        let counts = RayCounts::default();
-        Self { tile, samples: 0, counts, keeps, weighted: Vec::new(), uneven: Vec::new(), layers: Vec::new() }
-    }
-
-    /// The film of a single pixel, ready for samples.
-    pub fn of_pixel(keeps: Keeps) -> Self {
-        Self::new(Tile { x: 0, y: 0, width: 1, height: 1 }, keeps).copy_for_pass()
-    }
-
-    /// A copy to add samples to, which replaces this film when all pixels have them.
-    pub fn copy_for_pass(&self) -> Self {
-        if !self.weighted.is_empty() {
-            return self.clone();
-        }
-        let area = |kept| if kept { self.tile.area() } else { 0 };
-        Self {
-            weighted: vec![DVec3::ZERO; self.tile.area()],
-            uneven: vec![(DVec3::ZERO, 0.0); area(self.keeps.weights)],
-            layers: vec![LayerSums::default(); area(self.keeps.layers)],
-            ..*self
-        }
-    }
-
-    /// Adds a sample of a pixel, counted within the tile.
-    #[inline]
-    pub fn add(&mut self, pixel: usize, radiance: Vec3, weight: f64) {
-        let radiance = radiance.as_dvec3();
-        self.weighted[pixel] += radiance * weight;
-        if let Some(uneven) = self.uneven.get_mut(pixel) {
-            uneven.0 += radiance;
-            uneven.1 += weight;
-        }
-    }
-
-    /// Adds what the layers need of the same sample, if they were asked for.
-    #[inline]
-    pub fn add_layers(&mut self, pixel: usize, radiance: Vec3, first_hit: impl FnOnce() -> Option<FirstHit>) {
-        if let Some(layer) = self.layers.get_mut(pixel) {
-            layer.add(radiance, first_hit());
-        }
-    }
-
-    /// The radiance a pixel shows; black before the first sample.
-    ///
-    /// With uneven weights the mean of the weights is not exactly 1; by as much as it is off, the plain mean of the radiance
-    /// is taken away, so that an even picture stays even. The bias falls with 1/samples.
-    pub fn pixel(&self, pixel: usize) -> Vec3 {
-        let samples = f64::from(self.samples.max(1));
-        let mean = self.weighted.get(pixel).copied().unwrap_or_default() / samples;
-        let excess = |&(plain, weights): &(DVec3, f64)| plain / samples * (weights / samples - 1.0);
-        let excess = self.uneven.get(pixel).map_or(DVec3::ZERO, excess);
-        (mean - excess).as_vec3()
-    }
+/// The film under one tile, in its place.
+pub struct Slot<'f> {
+    exposure: &'f mut Exposure,
+    keeps: Keeps,
+    weighted: &'f mut [[f64; 3]],
+    uneven: &'f mut [[f64; 4]],
+    layers: &'f mut Vec<LayerSums>,
 }
 
-/// The picture on the film of all tiles, given row by row; bands of tiles in parallel.
-pub(super) fn develop(tiles: &[TileFilm], [width, height]: [usize; 2]) -> Raster {
-    let mut raster = Raster::filled(width, height, Vec3::ZERO);
-    let bands = raster.pixels_mut().chunks_mut(width * Tile::SIDE);
-    parallel::for_each(bands.zip(tiles.chunks(width.div_ceil(Tile::SIDE))), |(band, tiles)| {
-        for film in tiles {
-            let tile = film.tile;
-            for row in 0..tile.height {
-                let start = row * width + tile.x;
-                for (column, pixel) in band[start..start + tile.width].iter_mut().enumerate() {
-                    *pixel = film.pixel(row * tile.width + column);
-                }
+impl Film {
+    /// A film without samples.
+    pub fn new(size: [usize; 2], keeps: Keeps) -> Self {
+        let exposure = |tile| Exposure { tile, samples: 0, counts: RayCounts::default() };
+        let exposures: Vec<_> = Tile::all(size).into_iter().map(exposure).collect();
+        let weighted = zeros_on_large_pages([0.0; 3], exposures.len() * ROOM);
+        let uneven = zeros_on_large_pages([0.0; 4], if keeps.weights { exposures.len() * ROOM } else { 0 });
+        let layers = vec![Vec::new(); exposures.len()];
+        Self { size, keeps, exposures, weighted, uneven, layers }
+    }
+
+    /// The tiles, to be exposed independently of each other.
+    pub fn slots(&mut self) -> Vec<Slot<'_>> {
+        let weighted = self.weighted.chunks_mut(ROOM);
+        let mut uneven = self.uneven.chunks_mut(ROOM);
+        let places = self.exposures.iter_mut().zip(weighted).zip(&mut self.layers);
+        let slot = |((exposure, weighted), layers)| {
+            let uneven = uneven.next().unwrap_or_default();
+            Slot { exposure, keeps: self.keeps, weighted, uneven, layers }
+        };
+        places.map(slot).collect()
+    }
+
+    /// Samples that every pixel has.
+    pub fn samples(&self) -> u32 {
+        self.exposures.iter().map(|exposure| exposure.samples).min().unwrap_or(0)
+    }
+
+    /// Rays traced for all samples.
+    pub fn counts(&self) -> RayCounts {
+        let mut counts = RayCounts::default();
+        self.exposures.iter().for_each(|exposure| counts += exposure.counts);
+        counts
+    }
+
+    /// The picture; bands of tiles in parallel.
+    pub fn develop(&self) -> Raster {
+        let [width, height] = self.size;
+        let mut pixels = on_large_pages(width * height);
+        pixels.resize(width * height, Vec3::ZERO);
+        let across = width.div_ceil(Tile::SIDE);
+        let bands = pixels.chunks_mut(width * Tile::SIDE).enumerate();
+        parallel::for_each(bands, |(band, pixels)| {
+            (band * across..(band + 1) * across).for_each(|number| self.develop_tile(number, pixels));
+        });
+        Raster::from_pixels(width, height, pixels)
+    }
+
+    /// Develops a tile into the band of the picture that it lies in.
+    fn develop_tile(&self, number: usize, band: &mut [Vec3]) {
+        let Exposure { tile, samples, .. } = self.exposures[number];
+        for row in 0..tile.height {
+            let start = row * self.size[0] + tile.x;
+            let first = number * ROOM + row * tile.width;
+            let pixels = band[start..start + tile.width].iter_mut().enumerate();
+            pixels.for_each(|(column, pixel)| {
+                let uneven = self.uneven.get(first + column).map(|&[x, y, z, weights]| (DVec3::new(x, y, z), weights));
+                *pixel = shown(samples, DVec3::from_array(self.weighted[first + column]), uneven);
+            });
+        }
+    }
+
+    /// The layers; `None` if they were not asked for.
+    pub fn develop_layers(&self) -> Option<Layers> {
+        let [width, height] = self.size;
+        let mut layers = self.keeps.layers.then(|| Layers::blank(width, height))?;
+        for (Exposure { tile, samples, .. }, sums) in self.exposures.iter().zip(&self.layers) {
+            for ([x, y], sums) in tile.pixels().zip(sums) {
+                layers.set(x, y, sums, *samples);
             }
         }
-    });
-    raster
+        Some(layers)
+    }
 }
 
-/// The layers on the film of all tiles; `None` if they were not asked for.
-pub(super) fn develop_layers(tiles: &[TileFilm], [width, height]: [usize; 2]) -> Option<Layers> {
-    tiles.first().filter(|film| film.keeps.layers)?;
-    let mut layers = Layers::blank(width, height);
-    for film in tiles {
-        for ([x, y], sums) in film.tile.pixels().zip(&film.layers) {
-            layers.set(x, y, sums, film.samples);
+impl Slot<'_> {
+    /// Copies the tile, so that samples can be added.
+    pub fn load(&self, film: &mut TileFilm) {
+        let Exposure { tile, samples, counts } = *self.exposure;
+        film.clear(tile, self.keeps);
+        if samples == 0 {
+            return;
         }
+        (film.samples, film.counts) = (samples, counts);
+        film.weighted.iter_mut().zip(self.weighted.iter()).for_each(|(to, from)| *to = DVec3::from_array(*from));
+        let uneven = self.uneven.iter().map(|&[x, y, z, weights]| (DVec3::new(x, y, z), weights));
+        film.uneven.iter_mut().zip(uneven).for_each(|(to, from)| *to = from);
+        film.layers.clone_from(self.layers);
     }
-    Some(layers)
+
+    /// Puts the tile back with the samples that were added.
+    pub fn store(&mut self, film: &TileFilm) {
+        (self.exposure.samples, self.exposure.counts) = (film.samples, film.counts);
+        self.weighted.iter_mut().zip(&film.weighted).for_each(|(to, from)| *to = from.to_array());
+        let uneven = film.uneven.iter().map(|(radiance, weights)| [radiance.x, radiance.y, radiance.z, *weights]);
+        self.uneven.iter_mut().zip(uneven).for_each(|(to, from)| *to = from);
+        self.layers.clone_from(&film.layers);
+    }
 }

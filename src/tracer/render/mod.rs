@@ -9,11 +9,12 @@ mod progressive;
 mod ray_source;
 mod renderer;
 mod tile;
+mod tile_film;
 
 pub use axis_shots::{AxisShot, front};
-pub use film::{Keeps, TileFilm};
 pub use layers::Layers;
 pub use progress::{Progress, Silent};
 pub use progressive::{Budget, render_progressively};
 pub use renderer::{PixelSample, Renderer, Rendering, bake_face, render};
 pub use tile::Tile;
+pub use tile_film::{Keeps, TileFilm};

@@ -2,7 +2,7 @@
 
 use crate::camera::Camera;
 use crate::envmap::{Face, Lookup};
-use crate::math::{DVec3, Ray};
+use crate::math::DVec3;
 
 /// The rays of a picture.
 #[derive(Debug, Clone)]
@@ -34,15 +34,22 @@ impl RaySource<'_> {
         }
     }
 
-    /// The ray through a place of the picture in pixels from the top left corner, and a place of the lens, if there is
-    /// one.
-    #[inline]
-    pub fn ray(&self, x: f64, y: f64, lens_place: [f64; 2]) -> Ray {
+    /// The point that all rays start at; `None` for a lens.
+    pub fn origin(&self) -> Option<DVec3> {
         match self {
-            RaySource::Camera(camera) => camera.ray_through_lens(x, y, lens_place),
+            RaySource::Camera(camera) if camera.lens().is_some() => None,
+            _ => Some(self.position()),
+        }
+    }
+
+    /// Origin and direction, of any length, of the ray through a place of the picture in pixels from the top left corner, and
+    /// a place of the lens, if there is one.
+    #[inline]
+    pub fn sight(&self, x: f64, y: f64, lens_place: [f64; 2]) -> (DVec3, DVec3) {
+        match self {
+            RaySource::Camera(camera) => camera.sight(x, y, lens_place),
             RaySource::Face { lookup, face, size, position } => {
-                let direction = lookup.image_direction(*face, x / *size as f64, y / *size as f64);
-                Ray::new(*position, direction.normalize())
+                (*position, lookup.image_direction(*face, x / *size as f64, y / *size as f64))
             }
         }
     }

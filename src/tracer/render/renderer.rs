@@ -2,14 +2,15 @@
 
 use rayon::prelude::*;
 
-use super::film::{Keeps, TileFilm, develop, develop_layers};
+use super::film::Film;
 use super::layers::Layers;
 use super::progress::Progress;
 use super::ray_source::RaySource;
 use super::tile::Tile;
+use super::tile_film::{Keeps, TileFilm};
 use crate::envmap::{Face, Lookup};
 use crate::error::{Error, Result};
-use crate::integrators::{Blind, Integrator, Observer, RayCounts};
+use crate::integrators::{Bundle, Integrator, Observer, RayCounts};
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::picture::Raster;
@@ -43,7 +44,7 @@ pub struct Renderer<'a> {
     sampling: Sampling,
     /// True if the only sample goes through the middle of the pixel.
     centred: bool,
-    tiles: Vec<TileFilm>,
+    film: Film,
     samples: u32,
 }
 
@@ -63,8 +64,8 @@ impl<'a> Renderer<'a> {
         let media = integrator.media_around(source.position());
         let sampling = scene.sampling;
         let keeps = Keeps { weights: !sampling.filter.is_even(), layers };
-        let tiles = Tile::all(source.size()).into_iter().map(|tile| TileFilm::new(tile, keeps)).collect();
-        Ok(Self { scene, integrator, source, media, sampling, centred: scene.samples == 1, tiles, samples: 0 })
+        let film = Film::new(source.size(), keeps);
+        Ok(Self { scene, integrator, source, media, sampling, centred: scene.samples == 1, film, samples: 0 })
     }
 
     /// The same picture with noise of its own. Before the first sample.
@@ -86,9 +87,16 @@ impl<'a> Renderer<'a> {
     /// some tiles may have them and others not; each is right by itself.
     pub fn add_samples(&mut self, count: u32, progress: &dyn Progress) -> Result<()> {
         let last = self.samples + count;
-        let Self { scene, integrator, source, media, sampling, centred, tiles, .. } = self;
+        let Self { scene, integrator, source, media, sampling, centred, film, .. } = self;
         let pass = Pass { scene, integrator, source, media, sampling: *sampling, centred: *centred, last };
-        tiles.par_iter_mut().try_for_each(|film| pass.expose(film, progress))?;
+        // Room that is used for one tile after the other.
+        let room = || (TileFilm::blank(), pass.integrator.bundle(pass.source.origin()));
+        film.slots().into_par_iter().try_for_each_init(room, |(tile, bundle), mut slot| {
+            slot.load(tile);
+            pass.expose(tile, bundle, progress)?;
+            slot.store(tile);
+            Ok(())
+        })?;
         self.samples = last;
         Ok(())
     }
@@ -97,29 +105,30 @@ impl<'a> Renderer<'a> {
     pub fn watch<O: Observer>(&self, pixel: [usize; 2], index: u32, observer: &mut O) -> PixelSample {
         let Self { scene, integrator, source, media, sampling, centred, .. } = self;
         let pass = Pass { scene, integrator, source, media, sampling: *sampling, centred: *centred, last: index + 1 };
-        pass.sample(pixel, index, &mut RayCounts::default(), observer)
+        let mut bundle = integrator.bundle(source.origin());
+        let sampler = PixelSampler::chosen(*sampling, pixel[0], pixel[1], index);
+        let place = pass.set_out(pixel, sampler, &mut bundle);
+        integrator.trace_observed(&mut bundle, &mut RayCounts::default(), observer);
+        let ray = *bundle.rays().next().expect("one ray set out");
+        PixelSample { ray, place, radiance: bundle.radiances()[0] }
     }
 
     /// What a pixel shows after samples that were taken one by one, in their order: the same bits as in the picture.
     pub fn develop_pixel(&self, samples: &[PixelSample]) -> Vec3 {
-        let keeps = Keeps { weights: !self.scene.sampling.filter.is_even(), layers: false };
-        let mut film = TileFilm::of_pixel(keeps);
-        samples.iter().for_each(|sample| film.add(0, sample.radiance, sample.place.weight));
+        let mut film = TileFilm::of_pixel(Keeps { layers: false, ..self.film.keeps });
+        samples.iter().for_each(|sample| film.add(0, &[sample.radiance], &[sample.place.weight]));
         film.samples = samples.len() as u32;
         film.pixel(0)
     }
 
     /// The picture so far.
     pub fn rendering(&self, stopped: bool) -> Rendering {
-        let mut counts = RayCounts::default();
-        self.tiles.iter().for_each(|film| counts += film.counts);
-        let size = self.source.size();
         Rendering {
-            raster: develop(&self.tiles, size),
-            counts,
-            samples: self.tiles.iter().map(|film| film.samples).min().unwrap_or(0),
+            raster: self.film.develop(),
+            counts: self.film.counts(),
+            samples: self.film.samples(),
             stopped,
-            layers: develop_layers(&self.tiles, size),
+            layers: self.film.develop_layers(),
             left_out: self.integrator.left_out(),
         }
     }
@@ -148,52 +157,56 @@ struct Pass<'p, 'a> {
 
 impl Pass<'_, '_> {
     /// Adds the samples of the pass to a tile, all of them or none.
-    fn expose(&self, film: &mut TileFilm, progress: &dyn Progress) -> Result<()> {
-        let mut exposed = film.copy_for_pass();
-        for (pixel, place) in film.tile.pixels().enumerate() {
-            // With many samples a pixel takes long: a cancelled tile is not finished.
-            if progress.cancelled() {
-                return Err(Error::new("cancelled: nothing was written"));
-            }
-            self.expose_pixel(&mut exposed, pixel, place);
+    fn expose(&self, film: &mut TileFilm, bundle: &mut Bundle, progress: &dyn Progress) -> Result<()> {
+        let before = film.counts.traced();
+        for row in 0..film.tile.height {
+            self.expose_row(film, row, bundle, progress)?;
         }
         if let Some(error) = self.scene.environment.error() {
             return Err(error.clone());
         }
-        exposed.samples = self.last;
         let work = film.tile.area() as u64 * u64::from(self.last - film.samples);
-        progress.advance(work, exposed.counts.traced() - film.counts.traced());
-        *film = exposed;
+        film.samples = self.last;
+        progress.advance(work, film.counts.traced() - before);
         Ok(())
     }
 
-    #[inline]
-    fn expose_pixel(&self, film: &mut TileFilm, pixel: usize, [x, y]: [usize; 2]) {
+    /// Adds the samples of the pass to a row of a tile. An error tells that it was cancelled.
+    fn expose_row(&self, film: &mut TileFilm, row: usize, bundle: &mut Bundle, progress: &dyn Progress) -> Result<()> {
+        let mut weights = [1.0; Tile::SIDE];
+        let Tile { x, y, width, .. } = film.tile;
         for index in film.samples..self.last {
-            let sample = self.sample([x, y], index, &mut film.counts, &mut Blind);
-            film.add(pixel, sample.radiance, sample.place.weight);
-            film.add_layers(pixel, sample.radiance, || self.integrator.first_hit(&sample.ray));
+            // With many samples a row takes long: a cancelled tile is not finished.
+            if progress.cancelled() {
+                return Err(Error::new("cancelled: nothing was written"));
+            }
+            bundle.clear();
+            let samplers = self.sampling.row(y + row, index);
+            for (column, weight) in (x..x + width).zip(&mut weights) {
+                *weight = self.set_out([column, y + row], samplers.pixel(column), bundle).weight;
+            }
+            self.integrator.trace(bundle, &mut film.counts);
+            film.add(row * width, bundle.radiances(), &weights);
+            if film.has_layers() {
+                for (pixel, (ray, &radiance)) in (row * width..).zip(bundle.rays().zip(bundle.radiances())) {
+                    film.add_to_layers(pixel, radiance, self.integrator.first_hit(ray));
+                }
+            }
         }
+        Ok(())
     }
 
-    /// Takes one sample of a pixel.
+    /// Adds the camera ray of a sample to a bundle.
     #[inline(always)]
-    fn sample<O: Observer>(
-        &self,
-        [x, y]: [usize; 2],
-        index: u32,
-        counts: &mut RayCounts,
-        observer: &mut O,
-    ) -> PixelSample {
-        let mut sampler = PixelSampler::chosen(self.sampling, x, y, index);
+    fn set_out(&self, [x, y]: [usize; 2], mut sampler: PixelSampler, bundle: &mut Bundle) -> FilteredPlace {
         let (place, lens_place) = self.place(&mut sampler);
-        let ray = self.source.ray(x as f64 + place.across, y as f64 + place.down, lens_place);
-        let radiance = self.integrator.observed_radiance(&ray, self.media, &mut sampler, counts, observer);
-        PixelSample { ray, place, radiance }
+        let (origin, towards) = self.source.sight(x as f64 + place.across, y as f64 + place.down, lens_place);
+        bundle.push(origin, towards, self.media, sampler);
+        place
     }
 
     /// The places of a sample in its pixel and on the lens.
-    #[inline]
+    #[inline(always)]
     fn place(&self, sampler: &mut PixelSampler) -> (FilteredPlace, [f64; 2]) {
         if self.centred && self.scene.camera.lens().is_none() {
             return (FilteredPlace { across: 0.5, down: 0.5, weight: 1.0 }, [0.5, 0.5]);

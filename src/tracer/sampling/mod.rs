@@ -5,7 +5,7 @@ mod pixel;
 pub mod warp;
 
 pub use filter::{FilteredPlace, PixelFilter};
-pub use pixel::{PixelSampler, SamplerKind};
+pub use pixel::{PixelSampler, RowSampler, SamplerKind};
 
 /// How the samples of a picture are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

@@ -46,10 +46,7 @@ impl PixelSampler {
     /// Sample number `index` of the pixel in column `x` and row `y`.
     #[inline]
     pub fn chosen(sampling: Sampling, x: usize, y: usize, index: u32) -> Self {
-        // The crate has 2^16 points; each further block of as many gets a scramble of its own.
-        let (block, index) = (index >> 16, index & 0xffff);
-        let picture = hash(block ^ hash(sampling.seed));
-        Self { kind: sampling.sampler, seed: hash(x as u32 ^ hash(y as u32 ^ picture)), index, dimension: 0 }
+        sampling.row(y, index).pixel(x)
     }
 
     /// The next coordinate of the sample, uniform in `[0, 1)`.
@@ -85,6 +82,32 @@ impl PixelSampler {
     fn independent(&self, dimension: u32) -> f32 {
         let bits = hash(hash(self.seed ^ hash(self.index.wrapping_add(0x9e37_79b9))) ^ hash(dimension ^ 0x85eb_ca6b));
         (bits >> 8) as f32 / (1 << 24) as f32
+    }
+}
+
+/// The same sample of all pixels in a row.
+#[derive(Debug, Clone, Copy)]
+pub struct RowSampler {
+    kind: SamplerKind,
+    seed: u32,
+    index: u32,
+}
+
+impl Sampling {
+    /// Sample number `index` of the pixels in row `y`.
+    pub fn row(&self, y: usize, index: u32) -> RowSampler {
+        // The crate has 2^16 points; each further block of as many gets a scramble of its own.
+        let (block, index) = (index >> 16, index & 0xffff);
+        let picture = hash(block ^ hash(self.seed));
+        RowSampler { kind: self.sampler, seed: hash(y as u32 ^ picture), index }
+    }
+}
+
+impl RowSampler {
+    /// The sample of the pixel in column `x`.
+    #[inline]
+    pub fn pixel(&self, x: usize) -> PixelSampler {
+        PixelSampler { kind: self.kind, seed: hash(x as u32 ^ self.seed), index: self.index, dimension: 0 }
     }
 }
 

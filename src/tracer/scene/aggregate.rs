@@ -2,8 +2,8 @@
 
 use crate::bvh::{FloatBox, Hierarchy, Visit};
 use crate::materials::MediumStack;
-use crate::math::{Ray, Side, SurfaceId};
-use crate::shapes::{Balls, Hit, Primitive, Surface};
+use crate::math::{DVec3, Ray, Side, SurfaceId};
+use crate::shapes::{Balls, Hit, Outlook, Primitive, Surface};
 
 /// No shape has this number.
 const NONE: u32 = u32::MAX;
@@ -14,8 +14,10 @@ pub struct Aggregate {
     primitives: Vec<Primitive>,
     /// Round spheres outside of a hierarchy, tried four at once.
     balls: Vec<Balls>,
-    /// Shapes tried one by one: without a hierarchy all others, otherwise those without end.
+    /// Shapes tried one by one: without a hierarchy all others but meshes, otherwise those without end.
     listed: Vec<u32>,
+    /// Meshes tried one by one.
+    meshes: Vec<u32>,
     hierarchy: Option<BoxedShapes>,
 }
 
@@ -47,16 +49,17 @@ impl Aggregate {
             .collect();
         let listed = numbers().filter(|&shape| bounds[shape as usize].is_none()).collect();
         let hierarchy = Some(BoxedShapes { hierarchy: Hierarchy::build(&boxes), shapes: bounded });
-        Self { primitives, balls: Vec::new(), listed, hierarchy }
+        Self { primitives, balls: Vec::new(), listed, meshes: Vec::new(), hierarchy }
     }
 
     /// Tries all shapes one after the other, round spheres four at once.
     pub fn without_hierarchy(primitives: Vec<Primitive>) -> Self {
         let numbers = 0..primitives.len() as u32;
         let ball = |shape: u32| primitives[shape as usize].as_ball().map(|(centre, radius)| (shape, centre, radius));
-        let balls = Balls::pack(&numbers.clone().filter_map(ball).collect::<Vec<_>>());
-        let listed = numbers.filter(|&shape| ball(shape).is_none()).collect();
-        Self { balls, listed, primitives, hierarchy: None }
+        let balls = numbers.clone().filter_map(ball).collect::<Vec<_>>().chunks(Balls::MOST).map(Balls::new).collect();
+        let is_mesh = |shape: &u32| primitives[*shape as usize].is_mesh();
+        let (meshes, listed) = numbers.filter(|&shape| ball(shape).is_none()).partition(is_mesh);
+        Self { balls, listed, meshes, primitives, hierarchy: None }
     }
 
     /// All shapes, by their numbers.
@@ -70,31 +73,83 @@ impl Aggregate {
     }
 
     /// The nearest hit of the ray.
-    // Always in line: the hit is used field by field at once, and would otherwise go through memory.
-    #[inline(always)]
+    #[inline]
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
-        let mut nearest = Hit { t: f64::INFINITY, id: SurfaceId { shape: NONE, part: 0 }, barycentric: [0.0; 3] };
-        for balls in &self.balls {
-            balls.hits(ray, |shape, t| {
-                if t < nearest.t {
-                    nearest.t = t;
-                    nearest.id = SurfaceId { shape, part: 0 };
-                }
-                false
-            });
-        }
-        for &shape in &self.listed {
-            self.primitives[shape as usize].find_nearer(ray, shape, &mut nearest);
-        }
-        if let Some(boxed) = &self.hierarchy {
-            self.intersect_boxed(boxed, ray, &mut nearest);
+        let mut nearest = self.nearest_simple(ray, None);
+        if self.has_others() {
+            nearest = self.nearer_other(ray, nearest);
         }
         (nearest.id.shape != NONE).then_some(nearest)
     }
 
-    #[inline(never)]
-    fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, nearest: &mut Hit) {
-        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return };
+    /// The nearest hit of each ray; of rays that all start at one point by the outlook from there, if there is one.
+    pub fn intersect_all<'r>(
+        &self,
+        rays: impl Iterator<Item = &'r Ray>,
+        outlook: Option<&Outlook>,
+        hits: &mut Vec<Option<Hit>>,
+    ) {
+        let some = |nearest: Hit| (nearest.id.shape != NONE).then_some(nearest);
+        hits.clear();
+        if self.has_others() {
+            hits.extend(rays.map(|ray| some(self.nearer_other(ray, self.nearest_simple(ray, outlook)))));
+        } else {
+            hits.extend(rays.map(|ray| some(self.nearest_simple(ray, outlook))));
+        }
+    }
+
+    /// The round spheres as seen from a point, if that may save work.
+    pub fn outlook(&self, point: DVec3) -> Option<Outlook> {
+        let [balls] = self.balls.as_slice() else { return None };
+        Some(Outlook::new(balls, point))
+    }
+
+    /// The nearest hit of what is neither a mesh nor under the hierarchy; an outlook is that from the ray's origin.
+    // Always in line: the hit is used field by field at once, and would otherwise go through memory.
+    #[inline(always)]
+    fn nearest_simple(&self, ray: &Ray, outlook: Option<&Outlook>) -> Hit {
+        let (mut nearest, mut id) = (f64::INFINITY, SurfaceId { shape: NONE, part: 0 });
+        if outlook.is_none_or(|outlook| outlook.may_meet(ray.direction, 0.0)) {
+            for balls in &self.balls {
+                balls.hits(ray, |shape, t| {
+                    if t < nearest {
+                        nearest = t;
+                        id = SurfaceId { shape, part: 0 };
+                    }
+                    false
+                });
+            }
+        }
+        for &shape in &self.listed {
+            if let Some((t, part)) = self.primitives[shape as usize].intersect_mostly_flat(ray, shape, nearest) {
+                nearest = t;
+                id = SurfaceId { shape, part };
+            }
+        }
+        Hit { t: nearest, id, barycentric: [0.0; 3] }
+    }
+
+    /// True if there are meshes, or shapes under a hierarchy.
+    #[inline(always)]
+    fn has_others(&self) -> bool {
+        !self.meshes.is_empty() || self.hierarchy.is_some()
+    }
+
+    /// The nearest hit of those if it is nearer than a hit known.
+    fn nearer_other(&self, ray: &Ray, mut nearest: Hit) -> Hit {
+        for &shape in &self.meshes {
+            // Of two at the same distance the first shows.
+            let limit = if shape < nearest.id.shape { nearest.t.next_up() } else { nearest.t };
+            nearest = self.primitives[shape as usize].intersect(ray, shape, limit).unwrap_or(nearest);
+        }
+        match &self.hierarchy {
+            Some(boxed) => self.intersect_boxed(boxed, ray, nearest),
+            None => nearest,
+        }
+    }
+
+    fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, mut nearest: Hit) -> Hit {
+        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return nearest };
         boxed.hierarchy.traverse(
             &walk,
             nearest.t,
@@ -102,34 +157,51 @@ impl Aggregate {
             |leaf| {
                 for &index in boxed.hierarchy.leaf(leaf) {
                     let shape = boxed.shapes[index as usize];
-                    self.primitives[shape as usize].find_nearer(ray, shape, nearest);
+                    nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
                 }
                 Visit::Closer(nearest.t)
             },
         );
+        nearest
     }
 
     /// True if something that casts shadows is met within `limit`.
     #[inline]
     pub fn occluded(&self, ray: &Ray, limit: f64) -> bool {
-        self.any_hit::<true>(ray, limit)
+        self.any_hit::<true>(ray, limit, None)
+    }
+
+    /// The same for a ray to a point at the distance `limit`, by the outlook from that point, if there is one.
+    #[inline(always)]
+    pub fn occluded_from(&self, outlook: Option<&Outlook>, ray: &Ray, limit: f64) -> bool {
+        self.any_hit::<true>(ray, limit, outlook)
     }
 
     /// True if anything is met within `limit`, even what casts no shadows.
     #[inline]
     pub fn blocked(&self, ray: &Ray, limit: f64) -> bool {
-        self.any_hit::<false>(ray, limit)
+        self.any_hit::<false>(ray, limit, None)
     }
 
-    #[inline]
-    fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64) -> bool {
-        let counts = |shape: u32| !SHADOWING || self.primitives[shape as usize].casts_shadow;
-        let in_the_way = |shape: u32, t: f64| t < limit && counts(shape);
-        if self.balls.iter().any(|balls| balls.hits(ray, in_the_way)) {
+    #[inline(always)]
+    fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64, outlook: Option<&Outlook>) -> bool {
+        let in_the_way = |shape: u32, t: f64| t < limit && self.counts::<SHADOWING>(shape);
+        let may_meet = outlook.is_none_or(|outlook| outlook.may_meet(-ray.direction, limit));
+        if may_meet && self.balls.iter().any(|balls| balls.hits(ray, in_the_way)) {
             return true;
         }
-        let occludes = |shape: u32| counts(shape) && self.primitives[shape as usize].occludes(ray, shape, limit);
-        if self.listed.iter().any(|&shape| occludes(shape)) {
+        let stops = |shape: u32| self.primitives[shape as usize].intersect_mostly_flat(ray, shape, limit).is_some();
+        if self.listed.iter().any(|&shape| self.counts::<SHADOWING>(shape) && stops(shape)) {
+            return true;
+        }
+        // A copy, so that the ray itself stays in registers.
+        self.has_others() && self.any_other_hit::<SHADOWING>(*ray, limit)
+    }
+
+    #[inline(never)]
+    fn any_other_hit<const SHADOWING: bool>(&self, ray: Ray, limit: f64) -> bool {
+        let ray = &ray;
+        if self.meshes.iter().any(|&shape| self.stops::<SHADOWING>(shape, ray, limit)) {
             return true;
         }
         let Some(boxed) = &self.hierarchy else { return false };
@@ -140,11 +212,23 @@ impl Aggregate {
             limit,
             |_| {},
             |leaf| {
-                found = boxed.hierarchy.leaf(leaf).iter().any(|&index| occludes(boxed.shapes[index as usize]));
+                let mut shapes = boxed.hierarchy.leaf(leaf).iter().map(|&index| boxed.shapes[index as usize]);
+                found = shapes.any(|shape| self.stops::<SHADOWING>(shape, ray, limit));
                 if found { Visit::Stop } else { Visit::Continue }
             },
         );
         found
+    }
+
+    /// True if the shape counts: for shadows, only what casts them.
+    #[inline(always)]
+    fn counts<const SHADOWING: bool>(&self, shape: u32) -> bool {
+        !SHADOWING || self.primitives[shape as usize].casts_shadow
+    }
+
+    #[inline(always)]
+    fn stops<const SHADOWING: bool>(&self, shape: u32, ray: &Ray, limit: f64) -> bool {
+        self.counts::<SHADOWING>(shape) && self.primitives[shape as usize].occludes(ray, shape, limit)
     }
 
     /// Of glasses inside of one another those whose inside the ray meets ahead.
@@ -167,6 +251,12 @@ impl Aggregate {
         let primitive = &self.primitives[shape as usize];
         let hit = primitive.intersect(ray, shape, f64::INFINITY);
         hit.is_some_and(|hit| Side::of(-ray.direction, primitive.surface(ray, &hit).normal) == Side::Back)
+    }
+
+    /// Tells the surface at a hit to `then`, which is compiled for every kind of shape anew.
+    #[inline(always)]
+    pub fn with_surface<R>(&self, ray: &Ray, hit: &Hit, then: impl FnOnce(Surface) -> R) -> R {
+        self.primitives[hit.id.shape as usize].with_surface(ray, hit, then)
     }
 
     /// The surface at a hit.

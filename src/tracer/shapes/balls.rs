@@ -12,13 +12,14 @@ use super::sphere;
 use crate::math::{DVec3, Ray, Side};
 
 /// Spheres tested at once.
-const LANES: usize = 4;
+pub(super) const LANES: usize = 4;
 
 /// Up to four spheres.
 #[derive(Debug, Clone)]
 pub struct Balls {
-    centre: [[f64; LANES]; 3],
-    squared_radius: [f64; LANES],
+    pub(super) centre: [[f64; LANES]; 3],
+    /// -1 for an empty lane.
+    pub(super) squared_radius: [f64; LANES],
     /// Their numbers in the scene.
     shapes: [u32; LANES],
 }
@@ -27,19 +28,19 @@ pub struct Balls {
 struct Lines {
     /// `o . d` of the unit direction.
     half_b: [f64; LANES],
-    /// `|o|^2 - r^2`: positive outside.
-    outside: [f64; LANES],
+    /// The origin, by axis.
+    origin: [[f64; LANES]; 3],
+    squared_radius: [f64; LANES],
     /// `r^2 - |o - (o . d) d|^2`: half the chord, squared; negative where the line passes by.
     half_chord: [f64; LANES],
 }
 
 impl Balls {
-    /// Packs spheres, given by number, centre and radius, four at a time.
-    pub fn pack(spheres: &[(u32, DVec3, f64)]) -> Vec<Self> {
-        spheres.chunks(LANES).map(Self::new).collect()
-    }
+    /// Most spheres of a pack.
+    pub const MOST: usize = LANES;
 
-    fn new(spheres: &[(u32, DVec3, f64)]) -> Self {
+    /// Packs up to [`MOST`](Self::MOST) spheres, given by number, centre and radius.
+    pub fn new(spheres: &[(u32, DVec3, f64)]) -> Self {
         let mut balls = Self { centre: [[0.0; LANES]; 3], squared_radius: [-1.0; LANES], shapes: [u32::MAX; LANES] };
         for (lane, &(shape, centre, radius)) in spheres.iter().enumerate() {
             for axis in 0..3 {
@@ -57,7 +58,6 @@ impl Balls {
     #[inline(always)]
     pub fn hits(&self, ray: &Ray, mut found: impl FnMut(u32, f64) -> bool) -> bool {
         let lines = self.lines(ray);
-        let error = ray.origin_error();
         let leaving = ray.departure.map_or(u32::MAX, |departure| departure.surface.shape);
         let inside = ray.departure.is_some_and(|departure| departure.side == Side::Back);
         if !inside && lines.all_miss() {
@@ -70,8 +70,8 @@ impl Balls {
                 if inside && found(shape, (-2.0 * lines.half_b[lane]).max(0.0)) {
                     return true;
                 }
-            } else if lines.may_hit(lane) {
-                let distance = lines.nearest(lane, error);
+            } else if lines.half_chord[lane] >= 0.0 {
+                let distance = lines.nearest(lane, ray);
                 if distance > 0.0 && found(shape, distance) {
                     return true;
                 }
@@ -83,7 +83,12 @@ impl Balls {
     #[inline(always)]
     fn lines(&self, ray: &Ray) -> Lines {
         let (origin, [dx, dy, dz]) = (ray.origin, ray.direction.to_array());
-        let mut lines = Lines { half_b: [0.0; LANES], outside: [0.0; LANES], half_chord: [0.0; LANES] };
+        let mut lines = Lines {
+            half_b: [0.0; LANES],
+            origin: [[0.0; LANES]; 3],
+            squared_radius: self.squared_radius,
+            half_chord: [0.0; LANES],
+        };
         for lane in 0..LANES {
             let squared_radius = self.squared_radius[lane];
             let x = origin.x - self.centre[0][lane];
@@ -94,7 +99,9 @@ impl Balls {
             // (Haines et al., Precision Improvements for Ray/Sphere Intersection, Ray Tracing Gems, 2019).
             let (px, py, pz) = (x - half_b * dx, y - half_b * dy, z - half_b * dz);
             lines.half_b[lane] = half_b;
-            lines.outside[lane] = x * x + y * y + z * z - squared_radius;
+            lines.origin[0][lane] = x;
+            lines.origin[1][lane] = y;
+            lines.origin[2][lane] = z;
             lines.half_chord[lane] = squared_radius - (px * px + py * py + pz * pz);
         }
         lines
@@ -108,24 +115,29 @@ impl Lines {
         !self.half_chord.iter().fold(false, |met, &half_chord| met | (half_chord >= 0.0))
     }
 
-    /// False if the line misses the sphere, or the ray moves away from it outside.
+    /// `|o|^2 - r^2`: positive outside.
     #[inline(always)]
-    fn may_hit(&self, lane: usize) -> bool {
-        self.half_chord[lane] >= 0.0 && !(self.half_b[lane] > 0.0 && self.outside[lane] > 0.0)
+    fn outside(&self, lane: usize) -> f64 {
+        let [x, y, z] = self.origin.map(|component| component[lane]);
+        x * x + y * y + z * z - self.squared_radius[lane]
     }
 
-    /// The nearest root ahead of the ray; 0 or less if there is none, or only an exit no farther than the error of the origin:
-    /// see [`sphere::intersect`].
+    /// The nearest root ahead of the ray whose line meets the sphere; 0 or less if there is none, or only an exit no farther
+    /// than the error of the origin: see [`sphere::intersect`].
     #[inline(always)]
-    fn nearest(&self, lane: usize, error: f64) -> f64 {
-        let half_b = self.half_b[lane];
+    fn nearest(&self, lane: usize, ray: &Ray) -> f64 {
+        let (half_b, outside) = (self.half_b[lane], self.outside(lane));
+        // Outside, the ray moves away.
+        if half_b > 0.0 && outside > 0.0 {
+            return 0.0;
+        }
         // The root without cancellation first, the other from the product of the roots.
         let q = -half_b - self.half_chord[lane].sqrt().copysign(half_b);
-        let other = self.outside[lane] / q;
+        let other = outside / q;
         let (near, far) = if other < q { (other, q) } else { (q, other) };
         if near > 0.0 {
             near
-        } else if sphere::is_ahead(near, far, error) {
+        } else if sphere::is_ahead(near, far, ray.origin_error()) {
             far
         } else {
             0.0
@@ -161,7 +173,7 @@ mod tests {
 
     fn distances(ray: &Ray) -> Vec<(u32, f64)> {
         let mut found = Vec::new();
-        for balls in Balls::pack(&spheres()) {
+        for balls in spheres().chunks(Balls::MOST).map(Balls::new) {
             balls.hits(ray, |shape, distance| {
                 found.push((shape, distance));
                 false
@@ -204,7 +216,7 @@ mod tests {
     fn enough_ends_the_search() {
         let ray = Ray::new(DVec3::new(-9.0, 0.0, 0.5), DVec3::X);
         let mut count = 0;
-        let stopped = Balls::pack(&spheres())[0].hits(&ray, |_, _| {
+        let stopped = Balls::new(&spheres()[..LANES]).hits(&ray, |_, _| {
             count += 1;
             true
         });

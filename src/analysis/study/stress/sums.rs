@@ -55,7 +55,7 @@ fn film(effort: Effort, contrast: f64, uneven: bool) -> Measurement {
         let magnitude = if random.unit() < 1e-3 { contrast } else { random.unit() };
         let radiance = (magnitude * (0.5 + random.unit())) as f32;
         let weight = if uneven { 0.5 + random.unit() } else { 1.0 };
-        film.add(0, Vec3::splat(radiance), weight);
+        film.add(0, &[Vec3::splat(radiance)], &[weight]);
         let exact = Wide::from(f64::from(radiance));
         weighted = weighted + exact * weight.into();
         plain = plain + exact;

@@ -141,7 +141,7 @@ fn takes_right_glasses(
         if hit.t > tolerance && through != glass_at(ray.at(0.5 * hit.t)) {
             return false;
         }
-        media = media.beyond(met, side);
+        media.pass(met, side);
         let departure = Some(Departure { surface: surface.id, side: side.opposite() });
         ray = Ray { origin: surface.position, departure, ..ray };
     }

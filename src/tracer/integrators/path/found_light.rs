@@ -1,8 +1,9 @@
 //! The light that a path finds: at its end by chance, and by rays sent to light sources and to where light is focused.
 
-use super::super::direct::{COORDINATES_COLOUR, SHINES, View, coordinates_colour};
+use super::super::direct::{COORDINATES_COLOUR, SHINES, coordinates_colour};
 use super::super::normals;
 use super::super::observer::{Event, LightOutcome, Observer};
+use super::super::view::View;
 use super::vertex::Vertex;
 use super::weights::power_heuristic;
 use super::{Arrival, Path, Walk};

@@ -18,10 +18,10 @@ mod open_sky;
 mod vertex;
 mod weights;
 
-use super::direct::View;
+use super::RayCounts;
 use super::media::{Media, medium_before};
 use super::observer::{Event, Observer, RayKind};
-use super::{RayCounts, Task};
+use super::view::View;
 use crate::error::Result;
 use crate::materials::{MediumStack, ScatteringSample};
 use crate::math::{DVec3, Ray, Vec3};
@@ -65,6 +65,15 @@ impl PathTables {
         }
         items
     }
+}
+
+/// What a ray of the camera is traced with.
+pub(super) struct Task<'a, O> {
+    pub scene: &'a Scene,
+    pub plan: &'a Plan,
+    pub sampler: &'a mut PixelSampler,
+    pub counts: &'a mut RayCounts,
+    pub observer: &'a mut O,
 }
 
 /// Radiance along a camera ray.

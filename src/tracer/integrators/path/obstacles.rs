@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use super::super::direct::View;
+use super::super::view::View;
 use crate::math::functions::sin_cos_turns;
 use crate::math::{DVec3, Frame};
 use crate::sampling::warp::among_weights;

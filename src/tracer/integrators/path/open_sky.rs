@@ -20,8 +20,8 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use super::super::direct::View;
 use super::super::observer::{Event, Observer};
+use super::super::view::View;
 use super::obstacles::Obstacles;
 use super::vertex::Vertex;
 use super::{Arrival, Path, Walk};

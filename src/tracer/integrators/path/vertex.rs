@@ -1,7 +1,7 @@
 //! A surface where a path arrived, and the rays that leave it.
 
-use super::super::direct::View;
-use super::super::media::{Media, beyond, medium_before};
+use super::super::media::{Media, medium_before, medium_beyond, pass};
+use super::super::view::View;
 use crate::materials::{Material, MediumStack, Scattering, ScatteringSample};
 use crate::math::{DVec3, Departure, Frame, Ray};
 use crate::shapes::Surface;
@@ -30,7 +30,7 @@ impl<'s> Vertex<'s> {
     ) -> Option<Self> {
         let relative_index = if material.transmits() {
             let index_before = media.index_inside(medium_before(before, &surface, &view));
-            index_before / media.index_inside(beyond(before, &surface, &view).innermost())
+            index_before / media.index_inside(medium_beyond(before, &surface, &view))
         } else {
             1.0
         };
@@ -53,7 +53,7 @@ impl<'s> Vertex<'s> {
             _ => return None,
         };
         if sample.transmitted {
-            *media = beyond(media, &self.surface, &self.view);
+            pass(media, &self.surface, &self.view);
         }
         Some(ray)
     }
@@ -90,6 +90,10 @@ impl<'s> Vertex<'s> {
     /// The glasses that a ray of this vertex starts in, by those before the surface.
     #[inline]
     pub fn media_of(&self, ray: &Ray, before: &MediumStack) -> MediumStack {
-        if self.passes(ray) { beyond(before, &self.surface, &self.view) } else { *before }
+        let mut media = *before;
+        if self.passes(ray) {
+            pass(&mut media, &self.surface, &self.view);
+        }
+        media
     }
 }

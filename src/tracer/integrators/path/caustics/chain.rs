@@ -1,7 +1,7 @@
 //! Light on its way through glass and mirrors, from the source to the first surface that scatters it.
 
-use super::super::super::direct::View;
 use super::super::super::media::Media;
+use super::super::super::view::View;
 use super::super::vertex::Vertex;
 use super::way::Turn;
 use crate::colour::luminance;
