@@ -5,6 +5,7 @@ mod common;
 use std::path::Path;
 
 use common::outcome as skycube;
+use skycube::colour::{Encoding, ToneMap};
 use skycube::integrators::{Event, LightOutcome};
 use skycube::math::Vec3;
 use skycube::render::{Silent, render};
@@ -159,5 +160,23 @@ fn every_ray_ends_once_even_where_a_glass_was_never_left() {
         let count = |counts: fn(&Event) -> bool| events.iter().filter(|event| counts(event)).count();
         let rays = count(|event| matches!(event, Event::Ray { .. }));
         assert_eq!(count(|event| matches!(event, Event::End { .. })), rays, "{pixel:?}");
+    }
+}
+
+#[test]
+fn the_code_told_is_that_of_the_picture_by_the_scenes_tone_map() {
+    let folder = tempfile::tempdir().unwrap();
+    for tone_map in ["clamp", "reinhard"] {
+        let text = format!(
+            "camera = {{ position = [0, 0, 0], target = [1, 0, 0], size = [2, 2] }}\noutput = {{ tone_map = \"{tone_map}\" }}\n\
+             environment = {{ kind = \"constant\", radiance = [2, 0.7, 0.1] }}\n"
+        );
+        std::fs::write(folder.path().join("sky.toml"), text).unwrap();
+        let (code, _, error) = skycube(folder.path(), &["render", "sky.toml", "-o", "sky.png"]);
+        assert_eq!(code, Some(0), "{error}");
+        let shown = skycube::picture::read(&folder.path().join("sky.png")).unwrap().texel(1, 1);
+        let [red, green, blue] = ToneMap::Clamp.bytes_as(shown, Encoding::Srgb);
+        let (_, told, _) = skycube(folder.path(), &["trace", "sky.toml", "--pixel", "1,1"]);
+        assert!(told.contains(&format!("8-bit sRGB code ({red}, {green}, {blue}), ")), "{told}");
     }
 }

@@ -200,6 +200,23 @@ fn random_cuts_leave_the_mean_as_it_is() {
 }
 
 #[test]
+fn without_depth_the_path_tracer_leaves_out_for_that_reason() {
+    let lit = scene(
+        "environment = { kind = \"constant\", radiance = 1 }\nintegrator = { kind = \"path\", depth = 0 }\n\
+         materials.a = { kind = \"lambert\", colour = 1 }\nmaterials.b = { kind = \"mirror\" }\n\
+         shapes = [{ kind = \"sphere\", material = \"a\" }, { kind = \"sphere\", material = \"b\" }]\n",
+    );
+    insta::assert_snapshot!(Plan::new(&lit).left_out(&lit).join("\n"), @r"
+    no point, spot or directional light: no rays to such
+    depth 0: no rays sent to lights with an extent
+    depth 0: no light sent ahead to find caustics
+    depth 0: no reflected or refracted rays
+    no environment picture: nothing decoded
+    2 shapes (at most 4 with bounds): no hierarchy over them
+    ");
+}
+
+#[test]
 fn the_plan_leaves_out_what_the_scene_does_not_need() {
     let matt =
         scene("materials.a = { kind = \"lambert\", colour = 1 }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n");

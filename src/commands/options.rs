@@ -48,7 +48,7 @@ pub struct SettingOverrides {
     /// Whether the path tracer searches for light that glass and mirrors focus
     #[arg(long, value_enum)]
     pub caustics: Option<Caustics>,
-    /// Another map in place of the environment's own: a folder, a zip or a picture
+    /// Another map in place of that of the scene's environment, which must have one: a folder, a zip or a picture
     #[arg(long, value_name = "MAP")]
     pub environment: Option<PathBuf>,
     /// Threads to use; the picture does not depend on it

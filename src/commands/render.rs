@@ -81,12 +81,14 @@ fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<
     let [width, height] = scene.camera.size();
     let pixels = (width * height) as u64;
     interrupt::watch();
-    let (budget, bar) = match arguments.time {
-        Some(limit) => (Budget::Time(limit), RenderBar::until(limit, "rendering")),
-        None => (Budget::Samples(scene.samples), RenderBar::new(pixels * u64::from(scene.samples), "rendering")),
-    };
+    let started = Instant::now();
     let renderer = if arguments.layers { Renderer::with_layers(scene, plan)? } else { Renderer::new(scene, plan)? };
     let renderer = if arguments.time.is_some() { renderer.scattered() } else { renderer };
+    // Tables that were built first took their part of the time. They are none of the rays that the bar goes by.
+    let (budget, bar) = match arguments.time.map(|limit| limit.saturating_sub(started.elapsed())) {
+        Some(left) => (Budget::Time(left), RenderBar::until(left, "rendering")),
+        None => (Budget::Samples(scene.samples), RenderBar::new(pixels * u64::from(scene.samples), "rendering")),
+    };
     let rendering = render_progressively(renderer, budget, &bar);
     bar.finish();
     rendering

@@ -4,10 +4,10 @@ use std::fmt;
 
 use super::trace_events::{colour, environment, hit, length, light, ray_name, shape_name, vector};
 use super::trace_json;
-use crate::colour::ToneMap;
+use crate::colour::{Encoding, ToneMap};
 use crate::integrators::{Event, RayKind};
 use crate::math::Vec3;
-use crate::scene::{IntegratorKind, Plan, Scene};
+use crate::scene::{IntegratorKind, OutputSettings, Plan, Scene};
 use crate::study::PixelTrace;
 
 /// Samples listed one by one at most.
@@ -109,11 +109,13 @@ impl TraceReport<'_> {
                 writeln!(formatter, "   ...  and {} more", samples.len() - LISTED)?;
             }
         }
-        let codes = ToneMap::Clamp.display(*sum).to_array().map(|value| (value * 255.0).round() as u8);
-        let [red, green, blue] = codes;
+        let OutputSettings { tone_map, encoding } = self.scene.output;
+        let [red, green, blue] = tone_map.bytes_as(*sum, encoding);
+        let code = if encoding == Encoding::Srgb { "sRGB code" } else { "code of linear light, by mistake," };
+        let range = if tone_map == ToneMap::Clamp { "clamped" } else { "by the scene's tone map" };
         let how = if samples.len() > 1 { "the mean of all samples" } else { "the only sample" };
         writeln!(formatter, "\npixel = {}, {how}: what an .exr holds", colour(*sum))?;
-        writeln!(formatter, "8-bit sRGB code ({red}, {green}, {blue}), clamped")
+        writeln!(formatter, "8-bit {code} ({red}, {green}, {blue}), {range}")
     }
 }
 

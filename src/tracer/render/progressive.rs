@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 
 use super::progress::Progress;
 use super::renderer::{Renderer, Rendering};
-use crate::error::Result;
+use crate::error::{Error, Result};
 
 /// When a progressive rendering is finished.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -26,7 +26,11 @@ pub fn render_progressively(mut renderer: Renderer, budget: Budget, progress: &d
         if let Err(error) = renderer.add_samples(count, progress) {
             // A pass that was begun leaves every tile right by itself.
             let shown = renderer.rendering(true);
-            return if progress.cancelled() && shown.samples > 0 { Ok(shown) } else { Err(error) };
+            return match progress.cancelled() {
+                true if shown.samples > 0 => Ok(shown),
+                true => Err(Error::new("cancelled before every pixel had a sample: nothing was written")),
+                false => Err(error),
+            };
         }
     }
     Ok(renderer.rendering(false))

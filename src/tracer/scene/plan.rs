@@ -93,14 +93,18 @@ impl Plan {
     fn left_out_by_path(&self, scene: &Scene, item: &mut impl FnMut(bool, &str)) {
         let ambient = scene.lights.iter().any(|light| !light.casts_shadows());
         item(ambient, "ambient light: it stands in for the light between surfaces, which is computed");
+        let no_depth = scene.integrator.depth == 0;
         let reason = match self.strategy {
+            _ if no_depth => "depth 0",
             Strategy::Bsdf => "strategy bsdf",
             _ => "no shining shape, no environment, or nothing but mirrors and smooth glass",
         };
         item(!self.light_sampling, &format!("{reason}: no rays sent to lights with an extent"));
         item(self.light_sampling && !self.environment_sampling, "black environment: no tables to sample it");
         let reason = match scene.integrator.caustics {
+            _ if no_depth => "depth 0",
             Caustics::Off => "caustics off",
+            Caustics::Auto if !self.light_sampling => "no rays sent to lights with an extent",
             Caustics::Auto => "no mirror and no smooth glass beside other surfaces",
         };
         item(!self.caustics, &format!("{reason}: no light sent ahead to find caustics"));
@@ -128,7 +132,8 @@ impl Plan {
                 self.left_out_by_path(scene, &mut item);
             }
             let local = self.integrator == IntegratorKind::Phong || scene.integrator.depth == 0;
-            item(local, "local light only: no reflected or refracted rays");
+            let reason = if self.integrator == IntegratorKind::Path { "depth 0" } else { "local light only" };
+            item(local, &format!("{reason}: no reflected or refracted rays"));
             item(!local && !self.reflection, "no mirror and no glass: no reflected rays");
             item(!local && self.reflection && !self.refraction, "no glass: no refracted rays, no media");
             item(self.refraction && !self.absorption, "clear glass only: no absorption");
