@@ -13,7 +13,7 @@ pub use skycube_tracer::{
     sampling, scene, shapes,
 };
 
-pub use skycube_analysis::{study, validate};
+pub use skycube_analysis::{PixelTrace, compare, converge, grade, metrics, stress, validate};
 
 pub mod lessons;
 

@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use skycube::colour::encode_srgb;
+use skycube::compare::{Comparison, Curve, Finding, Verdict};
 use skycube::envmap::ImageOperation;
 use skycube::math::Vec3;
 use skycube::picture::{Format, Header, Picture, Raster, Texels, WriteOptions};
 use skycube::report::{CompareReport, Metric};
-use skycube::study::comparison::{Comparison, Curve, Finding, Verdict};
 
 fn project(file: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(file)

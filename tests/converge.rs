@@ -9,13 +9,13 @@ use std::time::Duration;
 
 use common::{skycube, text};
 use serde_json::Value;
-use skycube::render::Progress;
-use skycube::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
-use skycube::scene::Scene;
-use skycube::study::converge::{
+use skycube::converge::{
     Comparison, Configuration, Convergence, Curve, Protocol, Schedule, Step, Unwatched, Variation, Watch, Work,
     converge, variants,
 };
+use skycube::render::Progress;
+use skycube::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
+use skycube::scene::Scene;
 
 /// A rough ball on a floor under a lamp, small.
 const LAMP: &str = r#"

@@ -10,10 +10,10 @@ use std::process::Command;
 
 use skycube::envmap::source::Skybox;
 use skycube::envmap::{Face, Preset, SignedAxis};
+use skycube::grade::{Alternative, CameraFault, FaceGrade, Grade, GradeVerdict, Grader, Misfit, ShotFrame};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::render::AxisShot;
-use skycube::study::stress::Random;
-use skycube::validate::grade::{Alternative, CameraFault, FaceGrade, Grade, GradeVerdict, Grader, Misfit, ShotFrame};
+use skycube::stress::Random;
 use skycube::validate::load;
 
 type Vector = [f64; 3];
@@ -267,7 +267,7 @@ impl Row {
                 format!("{}: face {:?} of {:?}: {:?}", photographs.name, face.face, student.faces, face.possible);
             let told = format!("{told} {} {} {:?}", student.size, student.bilinear, student.tone);
             assert!(face.misfit.is_none(), "{told}: {:?}", face.misfit);
-            let is_true = |placement: &skycube::validate::grade::Placement| {
+            let is_true = |placement: &skycube::grade::Placement| {
                 placement.image.index() == image && placement.laying.formulas() == FORMULAS[laying]
             };
             assert!(face.possible.iter().any(is_true), "{told}");

@@ -9,11 +9,11 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
 use skycube::colour::encode_srgb;
+use skycube::compare::Comparison;
 use skycube::lessons::Lesson;
 use skycube::math::Vec3;
 use skycube::picture::{self, Picture, Raster, Texels};
 use skycube::report::draw_comparison;
-use skycube::study::comparison::Comparison;
 
 /// The largest expected picture in bytes.
 const LARGEST: u64 = 200_000;

@@ -10,7 +10,7 @@ use made_up::from_directions;
 use pictures::{Map, Storage, computed, display, laid, right_maps};
 use skycube::envmap::{Face, Laying};
 use skycube::picture::Picture;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 use skycube::validate::{Check, Names, Note, Reason, Verdict};
 
 const SIZE: usize = 256;

@@ -7,7 +7,7 @@ mod pictures;
 
 use pictures::{Map, Storage, computed, display, right_maps};
 use skycube::picture::Picture;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 use skycube::validate::{Check, Names, Note, Verdict};
 
 fn changed(picture: &Picture, change: impl Fn(usize, usize, [f32; 3]) -> [f32; 3]) -> Picture {

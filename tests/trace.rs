@@ -5,12 +5,12 @@ mod common;
 use std::path::Path;
 
 use common::outcome as skycube;
+use skycube::PixelTrace;
 use skycube::colour::{Encoding, ToneMap};
 use skycube::integrators::{Event, LightOutcome};
 use skycube::math::Vec3;
 use skycube::render::{Silent, render};
 use skycube::scene::{IntegratorKind, Plan, Scene};
-use skycube::study::PixelTrace;
 
 const LESSON: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/glass-and-mirror.toml");
 

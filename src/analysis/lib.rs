@@ -4,6 +4,12 @@ use skycube_tracer::{
     colour, envmap, error, integrators, materials, math, parallel, picture, render, sampling, scene, shapes,
 };
 
-pub mod study;
-
+pub mod compare;
+pub mod converge;
+pub mod grade;
+pub mod metrics;
+mod pixel_trace;
+pub mod stress;
 pub mod validate;
+
+pub use pixel_trace::PixelTrace;

@@ -6,10 +6,10 @@ use clap::Args;
 
 use super::Outcome;
 use super::options::{check_drawing_name, refuse_to_overwrite_sources};
+use crate::compare::{Comparison, Verdict};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, read};
 use crate::report::{CompareReport, Metric, draw_comparison};
-use crate::study::comparison::{Comparison, Verdict};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 within the threshold, 1 not (or flipped, turned, red and blue swapped, not \

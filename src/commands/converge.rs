@@ -12,14 +12,14 @@ use super::options::{
     PictureSize, SettingOverrides, check_pixel_count, parse_duration, refuse_folder_of, refuse_to_overwrite_sources,
 };
 use super::progress_bar::RenderBar;
+use crate::converge::{
+    Comparison, Configuration, Protocol, Schedule, Variant, Variation, Watch, Work, converge, variants,
+};
 use crate::error::Result;
 use crate::picture::{check_folder_target, check_target, make_folder, write_atomically};
 use crate::render::Progress;
 use crate::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
 use crate::scene::Scene;
-use crate::study::converge::{
-    Comparison, Configuration, Protocol, Schedule, Variant, Variation, Watch, Work, converge, variants,
-};
 
 #[derive(Debug, Args)]
 #[command(

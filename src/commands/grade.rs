@@ -9,10 +9,10 @@ use super::options::read_lookup;
 use crate::envmap::source::Skybox;
 use crate::envmap::{Face, Preset, SignedAxis};
 use crate::error::{Error, Result};
+use crate::grade::{GradeVerdict, Grader, ShotFrame};
 use crate::picture::{Picture, read};
 use crate::render::AxisShot;
 use crate::report::GradeReport;
-use crate::validate::grade::{GradeVerdict, Grader, ShotFrame};
 use crate::validate::load;
 
 #[derive(Debug, Args)]

@@ -16,7 +16,7 @@ use crate::picture::{self, Extras, OutputFormat, check_target};
 use crate::render::{Budget, Layers, Renderer, Rendering, render_progressively};
 use crate::report::RenderReport;
 use crate::scene::{Plan, Scene};
-use crate::study::stress::outside_limits;
+use crate::stress::outside_limits;
 
 #[derive(Debug, Args)]
 pub struct RenderArguments {

@@ -9,7 +9,7 @@ use super::progress_bar::RenderBar;
 use crate::error::{Error, Result};
 use crate::picture::{check_target, write_atomically};
 use crate::report::{StressPlot, StressReport};
-use crate::study::stress::{Case, Effort, Subject, Verdict, subjects};
+use crate::stress::{Case, Effort, Subject, Verdict, subjects};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 all bounds kept where they are promised, 1 not, 2 could not run.")]

@@ -6,10 +6,10 @@ use clap::Args;
 
 use super::Outcome;
 use super::options::{PictureSize, SceneOverrides};
+use crate::PixelTrace;
 use crate::error::{Error, Result};
 use crate::report::TraceReport;
 use crate::scene::{Plan, Scene};
-use crate::study::PixelTrace;
 
 #[derive(Debug, Args)]
 pub struct TraceArguments {

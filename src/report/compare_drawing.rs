@@ -7,8 +7,8 @@ use super::contact_sheet::fitted_text;
 use super::drawing::Drawing;
 use super::text_drawing::Anchor;
 use crate::colour::{ToneMap, magma_bytes};
-use crate::study::Plane;
-use crate::study::comparison::{Comparison, Region, View};
+use crate::compare::{Comparison, Region, View};
+use crate::metrics::Plane;
 
 const MARGIN: usize = 16;
 const CAPTION: usize = 34;

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::rounded::rounded;
-use crate::study::comparison::{Curve, Evidence, Finding, Partial, Region};
+use crate::compare::{Curve, Evidence, Finding, Partial, Region};
 
 /// The figures of a finding.
 pub(super) fn figures(finding: &Finding) -> Value {

@@ -20,9 +20,9 @@ use serde_json::Value;
 use super::compare_figures::figures;
 use super::compare_sentences::{kind, sentence};
 use super::rounded::rounded;
+use crate::compare::{Comparison, Finding, Region, Verdict};
+use crate::metrics::Metrics;
 use crate::picture::Header;
-use crate::study::comparison::{Comparison, Finding, Region, Verdict};
-use crate::study::metrics::Metrics;
 
 /// The measure that decides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]

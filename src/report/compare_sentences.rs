@@ -1,8 +1,8 @@
 //! The findings of a comparison in plain sentences.
 
 use super::rounded::rounded;
+use crate::compare::{Curve, Evidence, Finding, Partial, Region};
 use crate::envmap::ImageOperation;
-use crate::study::comparison::{Curve, Evidence, Finding, Partial, Region};
 
 /// The kind of a finding, for machines.
 pub(super) fn kind(finding: &Finding) -> &'static str {

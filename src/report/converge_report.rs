@@ -6,7 +6,7 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::grouped::grouped;
-use crate::study::converge::{Bias, Convergence, Curve, ReferenceFacts, Step};
+use crate::converge::{Bias, Convergence, Curve, ReferenceFacts, Step};
 
 /// The report of `skycube converge`.
 #[derive(Debug, Clone, PartialEq)]

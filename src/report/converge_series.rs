@@ -1,7 +1,7 @@
 //! The lines of a convergence plot.
 
 use super::converge_report::{ConvergeReport, ConvergedScene};
-use crate::study::converge::{Curve, Errors, Step};
+use crate::converge::{Curve, Errors, Step};
 
 /// The error that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]

@@ -1,7 +1,7 @@
 //! What a second of computing buys, as a table for spreadsheets.
 
 use super::converge_report::{ConvergeReport, ConvergedScene};
-use crate::study::converge::{Curve, Step};
+use crate::converge::{Curve, Step};
 
 const COLUMNS: [&str; 25] = [
     "scene",

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::rounded::rounded;
 use crate::envmap::{Face, Laying};
-use crate::validate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
+use crate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
 
 /// The report for machines.
 #[derive(Serialize)]

@@ -6,7 +6,7 @@ use std::fmt;
 use super::grade_json::Json;
 use super::grade_sentences::{DIVISION, describe, faces, other_explanation, out_of_range, preset, repair, undecided};
 use crate::envmap::{SignedAxis, VOrigin};
-use crate::validate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
+use crate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
 
 /// A grade and the names of what was graded.
 #[derive(Debug, Clone)]

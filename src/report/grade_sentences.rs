@@ -2,7 +2,7 @@
 
 use super::grade_json::screen_operation;
 use crate::envmap::{Face, ImageOperation, Laying, Preset, SignedAxis};
-use crate::validate::grade::{Alternative, CameraFault, FaceGrade, Misfit, PresetReading};
+use crate::grade::{Alternative, CameraFault, FaceGrade, Misfit, PresetReading};
 
 /// The repair of code that does not divide.
 pub(super) const DIVISION: &str =

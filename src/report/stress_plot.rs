@@ -12,7 +12,7 @@ use super::chart_marks::{Marks, Rgb};
 use super::drawing::Drawing;
 use super::text_drawing::Anchor;
 use crate::math::functions::decimal_logarithm;
-use crate::study::stress::{Case, Group, Measurement};
+use crate::stress::{Case, Group, Measurement};
 
 const PANEL: [f32; 2] = [620.0, 420.0];
 const COLUMNS: usize = 2;

@@ -16,7 +16,7 @@ use std::fmt::{self, Write};
 
 use serde_json::{Value, json};
 
-use crate::study::stress::{Case, Effort, Group, Measurement, Range, Verdict};
+use crate::stress::{Case, Effort, Group, Measurement, Range, Verdict};
 
 /// Cases that were swept, to be printed.
 pub struct StressReport<'a> {

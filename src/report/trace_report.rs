@@ -4,11 +4,11 @@ use std::fmt;
 
 use super::trace_events::{colour, environment, hit, length, light, ray_name, shape_name, vector};
 use super::trace_json;
+use crate::PixelTrace;
 use crate::colour::{Encoding, ToneMap};
 use crate::integrators::{Event, RayKind};
 use crate::math::Vec3;
 use crate::scene::{IntegratorKind, OutputSettings, Plan, Scene};
-use crate::study::PixelTrace;
 
 /// Samples listed one by one at most.
 const LISTED: usize = 16;

@@ -14,7 +14,7 @@ use skycube::envmap::{CubeFilter, CubeMap, LazyImage, Preset};
 use skycube::math::Vec3;
 use skycube::memory::zeros_on_large_pages;
 use skycube::picture::{Format, Header, Picture, Texels, decode};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 const SIZE: usize = 2048;
 const LOOKUPS: usize = 1 << 20;

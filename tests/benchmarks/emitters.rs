@@ -17,7 +17,7 @@ use skycube::math::{DVec3, Transform, Vec3};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::shapes::mesh::Mesh;
 use skycube::shapes::{Geometry, MaterialChoice, Outline, Primitive, ShapeSampler};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 const DRAWS: usize = 1 << 16;
 

@@ -13,7 +13,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rayon::prelude::*;
 use skycube::math::DVec3;
 use skycube::shapes::mesh::Mesh;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 const SIDE: usize = 1024;
 

@@ -2,12 +2,12 @@
 
 use std::path::Path;
 
+use skycube::compare::{Comparison, Finding, Verdict};
 use skycube::math::Vec3;
 use skycube::picture::{OutputFormat, Picture, Raster, WriteOptions, decode, encode};
 use skycube::render::{Silent, render};
 use skycube::report::{CompareReport, Metric};
 use skycube::scene::{Plan, Scene};
-use skycube::study::comparison::{Comparison, Finding, Verdict};
 
 use super::{file_of, flipped, names, no_gamma, noisy, project};
 

@@ -3,7 +3,7 @@
 
 use skycube::envmap::{Face, FacePoint, Preset};
 use skycube::math::Vec3;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use super::pictures::{Map, computed};
 

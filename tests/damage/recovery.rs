@@ -2,7 +2,7 @@
 #![allow(dead_code)] // Every test uses a part of it.
 
 use skycube::envmap::{Face, Laying};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 use skycube::validate::{Check, Names};
 
 use super::pictures::Map;

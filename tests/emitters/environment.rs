@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use skycube::colour::luminance;
 use skycube::envmap::{CubeFilter, Environment, EnvironmentKind, EnvironmentSampler, SignedAxis};
 use skycube::math::{DVec3, Vec3};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::histogram::deviation;
 use crate::maps::{cube, environment, gradient, lookups, noise, noise_cube, panorama};

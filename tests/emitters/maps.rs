@@ -6,7 +6,7 @@ use skycube::envmap::{
 };
 use skycube::math::Vec3;
 use skycube::picture::{Format, Header, Picture, Texels};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 /// A picture of floats.
 pub fn picture(width: usize, height: usize, mut colour: impl FnMut(usize, usize) -> Vec3) -> Picture {

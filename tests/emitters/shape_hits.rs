@@ -5,7 +5,7 @@ use std::sync::Arc;
 use skycube::math::{DAffine3, DMat3, DVec3, Ray, Transform};
 use skycube::shapes::mesh::Mesh;
 use skycube::shapes::{Geometry, MaterialChoice, Outline, Primitive, ShapeSampler};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::icosphere::icosphere;
 

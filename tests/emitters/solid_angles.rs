@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use skycube::math::{DVec3, Ray, Transform};
 use skycube::shapes::{Geometry, Outline, Primitive, ShapeSampler};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::histogram::deviation;
 use crate::shape_hits::{mesh, placed, primitive, sampler, shapes, viewers};

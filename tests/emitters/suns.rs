@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use skycube::colour::luminance;
 use skycube::envmap::{CubeFilter, EnvironmentSampler, SignedAxis};
 use skycube::math::{DVec3, Vec3};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::maps::{cube, lookups, panorama};
 use crate::support::{cube_integrals, mean_and_error};

@@ -1,7 +1,7 @@
 //! Sums over the sphere.
 
 use skycube::math::DVec3;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 /// A place on the cube around the origin: number of the face +x -x +y -y +z -z, and the two other coordinates in
 /// `[0, 1]`, in the order x y z.

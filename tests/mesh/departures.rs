@@ -2,7 +2,7 @@
 
 use skycube::math::{DAffine3, DVec3, Side, Transform, Vec3};
 use skycube::shapes::mesh::{Mesh, MeshGeometry, MeshHit};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::icosphere::{icosphere, placed};
 

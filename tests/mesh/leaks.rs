@@ -2,7 +2,7 @@
 
 use skycube::math::{DVec3, Vec3};
 use skycube::shapes::mesh::{Mesh, MeshGeometry};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::icosphere::{bumps, icosphere, placed};
 

@@ -3,7 +3,7 @@
 use proptest::prelude::*;
 use skycube::math::{DVec3, Vec3};
 use skycube::shapes::mesh::{Mesh, MeshGeometry, MeshHit, ShearedRay};
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::icosphere::{icosphere, placed};
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use skycube::materials::{Material, RoughGlass, Scattering};
 use skycube::math::Vec3;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::subjects::{ROUGHNESSES, glass, lambert, phong, scattering, view, white_coated, white_metal};
 

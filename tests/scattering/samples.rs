@@ -2,7 +2,7 @@
 
 use skycube::materials::{Evaluation, Scattering};
 use skycube::math::DVec3;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::chi_square::{Bins, Outcome, chi_square};
 use crate::subjects::{glass, gold, lambert, phong, scattering, view, white_coated, white_metal};

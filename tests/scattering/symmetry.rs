@@ -1,7 +1,7 @@
 //! Reciprocity, and the limits of roughness and index.
 
 use skycube::math::DVec3;
-use skycube::study::stress::Random;
+use skycube::stress::Random;
 
 use crate::subjects::{glass, gold, phong, scattering, view, white_coated, white_metal};
 

@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use skycube::report::StressReport;
-use skycube::study::stress::{Case, Effort, LIMITS, Verdict, subjects};
+use skycube::stress::{Case, Effort, LIMITS, Verdict, subjects};
 
 const FAST: Effort = Effort { rays: 20_000 };
 

@@ -9,8 +9,8 @@ use skycube::math::{DVec2, DVec3, Departure, Ray, Side, Vec3};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::shapes::Geometry;
 use skycube::shapes::mesh::Mesh;
-use skycube::study::stress::Random;
-use skycube::study::stress::{ball, hit_error, placed, ulp_f32};
+use skycube::stress::Random;
+use skycube::stress::{ball, hit_error, placed, ulp_f32};
 
 use crate::icosphere;
 

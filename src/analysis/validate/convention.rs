@@ -73,7 +73,7 @@ impl Convention {
 }
 
 /// A preset as an arrangement relative to the given lookup.
-pub(super) fn table(lookup: &Lookup, preset: Preset) -> Arrangement {
+pub(crate) fn table(lookup: &Lookup, preset: Preset) -> Arrangement {
     let wanted = preset.lookup();
     let turned_over = wanted.v_origin() != lookup.v_origin();
     let mut arrangement = Arrangement::given(Face::ALL.map(|face| wanted.row(face).image));

@@ -39,8 +39,7 @@ pub use partial::Partial;
 pub use region::Region;
 pub use tone::{Curve, Tone};
 
-use super::Plane;
-use super::metrics::Metrics;
+use crate::metrics::{Metrics, Plane};
 use crate::picture::{Header, Picture, Raster};
 use undoing::Undoing;
 

@@ -2,8 +2,8 @@
 
 use serde::Serialize;
 
+use crate::metrics::{RelativeError, flip_map, root_mean_square_error};
 use crate::picture::Raster;
-use crate::study::metrics::{RelativeError, flip_map, root_mean_square_error};
 
 /// Errors of renderings that differ in the seed alone: means over them.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]

@@ -4,7 +4,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::math::Vec3;
-use crate::study::plane::display;
+use crate::metrics::display;
 
 fn textured(width: usize, height: usize, seed: usize) -> Raster {
     Raster::from_function(width, height, |x, y| {

@@ -1,7 +1,7 @@
 //! Whether what is left lies along edges only: that is how pictures of another number of samples differ.
 
 use super::undoing::Aligned;
-use crate::study::Plane;
+use crate::metrics::Plane;
 
 /// The step of luma that makes an edge.
 const STEP: f32 = 0.1;

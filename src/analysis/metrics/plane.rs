@@ -123,12 +123,12 @@ fn add_scaled(sums: &mut [f32], values: &[f32], weight: f32) {
 }
 
 /// The sRGB-encoded colour in `[0, 1]` that a display shows of a linear one, cut off at 1.
-pub(super) fn display(colour: Vec3) -> Vec3 {
+pub(crate) fn display(colour: Vec3) -> Vec3 {
     Vec3::new(encode_srgb(colour.x), encode_srgb(colour.y), encode_srgb(colour.z))
 }
 
 /// The picture that a display shows of a linear one: [`display`] of every pixel.
-pub(super) fn displayed(raster: &Raster) -> Raster {
+pub(crate) fn displayed(raster: &Raster) -> Raster {
     let mut shown = raster.clone();
     shown.pixels_mut().par_chunks_mut(PARALLEL_PIXELS).for_each(|pixels| {
         let mut codes = Codes::new();
@@ -168,7 +168,7 @@ impl Codes {
 }
 
 /// A sampled Gaussian of the given standard deviation, from `-radius` to `radius`, its sum 1.
-pub(super) fn gaussian(deviation: f64, radius: usize) -> Vec<f32> {
+pub(crate) fn gaussian(deviation: f64, radius: usize) -> Vec<f32> {
     let offsets = (0..=2 * radius).map(|tap| tap as f64 - radius as f64);
     let weights: Vec<f64> =
         offsets.map(|x| crate::math::functions::exponential_f64(-x * x / (2.0 * deviation * deviation))).collect();

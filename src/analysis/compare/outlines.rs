@@ -9,8 +9,8 @@ use super::partial;
 use super::structure::{self, DECIDING_SIDE};
 use crate::colour::luminance;
 use crate::envmap::ImageOperation;
+use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
-use crate::study::plane::{Plane, gaussian};
 
 /// The gradient that is half an outline, in codes of `[0, 1]` a pixel of the small pictures.
 const HALF: f32 = 0.08;

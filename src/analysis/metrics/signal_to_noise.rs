@@ -2,8 +2,8 @@
 
 use super::check_sizes;
 use crate::math::functions::decimal_logarithm;
+use crate::metrics::displayed;
 use crate::picture::Raster;
-use crate::study::plane::displayed;
 
 /// The peak signal to noise ratio in decibels: `10 log10(1 / mean squared difference)` of the sRGB-encoded channels,
 /// cut off at 1. Infinite if the pictures are displayed alike.

@@ -1,8 +1,8 @@
 //! Pictures that show nothing but one tone, or one tone and noise.
 
 use crate::colour::luminance;
+use crate::metrics::Plane;
 use crate::picture::Raster;
-use crate::study::Plane;
 
 /// Below this standard deviation of the luma a picture shows nothing.
 const FLAT: f64 = 0.002;

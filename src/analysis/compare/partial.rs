@@ -6,8 +6,8 @@
 use super::structure::{self, DECIDING_SIDE};
 use crate::colour::luminance;
 use crate::envmap::ImageOperation;
+use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
-use crate::study::plane::{Plane, gaussian};
 
 /// Side of the blocks, in pixels of the small pictures.
 const BLOCK: usize = 8;

@@ -4,11 +4,14 @@
 //! `f64` and in the order of the pixels. A pixel that is not a finite number makes the error of the whole not a number.
 
 mod flip;
+mod plane;
 mod signal_to_noise;
 mod squared_error;
 mod structural_similarity;
 
 pub use flip::{PIXELS_A_DEGREE, flip_map};
+pub use plane::Plane;
+pub(crate) use plane::{display, displayed, gaussian};
 pub use signal_to_noise::peak_signal_to_noise;
 pub use squared_error::{RelativeError, TAIL, root_mean_square_error};
 pub use structural_similarity::structural_similarity;
@@ -30,7 +33,7 @@ pub struct Metrics {
 
 impl Metrics {
     /// The measures of a picture and a reference, and the FLIP of every pixel.
-    pub fn with_flip_map(picture: &Raster, reference: &Raster) -> (Self, super::Plane) {
+    pub fn with_flip_map(picture: &Raster, reference: &Raster) -> (Self, Plane) {
         let map = flip_map(picture, reference);
         let metrics = Self {
             rmse: root_mean_square_error(picture, reference),

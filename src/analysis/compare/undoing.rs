@@ -5,8 +5,8 @@ use super::resized::resized;
 use super::shift;
 use super::tone::{Curve, Tone};
 use crate::envmap::ImageOperation;
+use crate::metrics::{Plane, display, gaussian};
 use crate::picture::Raster;
-use crate::study::plane::{Plane, display, gaussian};
 use rayon::prelude::*;
 
 /// What is done to mine to make it the expected picture.

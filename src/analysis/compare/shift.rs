@@ -1,8 +1,8 @@
 //! By how much a picture is shifted, to a fraction of a pixel.
 
 use crate::math::Vec3;
+use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
-use crate::study::plane::{Plane, gaussian};
 
 /// Differences above this are not shifts but other contents, and do not count.
 const OUTLIER: f32 = 0.15;

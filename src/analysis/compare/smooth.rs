@@ -6,8 +6,8 @@ use super::structure::{self, Match};
 use super::tone::Tone;
 use super::tone_search::{self, Pair};
 use crate::envmap::ImageOperation;
+use crate::metrics::display;
 use crate::picture::Raster;
-use crate::study::plane::display;
 
 /// Long side of the pictures that are compared.
 const SIDE: usize = 64;

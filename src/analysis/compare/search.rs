@@ -8,9 +8,9 @@ use super::{Evidence, Finding, Tone, outlines, partial, scaled, shift, smooth, t
 use crate::envmap::ImageOperation;
 use crate::math::Vec3;
 use crate::math::functions::binary_logarithm;
+use crate::metrics::Plane;
+use crate::metrics::displayed;
 use crate::picture::Raster;
-use crate::study::Plane;
-use crate::study::plane::displayed;
 
 /// Pictures that correlate less, under the best laying and shift, show different things.
 const RELATED: f64 = 0.5;

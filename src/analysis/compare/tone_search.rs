@@ -3,7 +3,7 @@
 use super::tone::{Curve, Tone};
 use crate::math::Vec3;
 use crate::math::functions::{binary_logarithm, logarithm_f64};
-use crate::study::plane::display;
+use crate::metrics::display;
 
 /// Codes of display that neither rounding nor clipping spoils.
 const TRUSTED: std::ops::Range<f32> = 0.04..0.97;

@@ -15,8 +15,8 @@ mod features;
 use super::check_sizes;
 use crate::math::Vec3;
 use crate::math::functions::power;
+use crate::metrics::Plane;
 use crate::picture::Raster;
-use crate::study::Plane;
 use rayon::prelude::*;
 
 /// Pixels a degree of the visual field: a monitor 0.7 m wide with 3840 pixels seen from 0.7 m, as in the paper.

@@ -3,9 +3,9 @@
 use super::region::Region;
 use super::undoing::Aligned;
 use crate::math::Vec3;
+use crate::metrics::Plane;
+use crate::metrics::display;
 use crate::picture::Raster;
-use crate::study::Plane;
-use crate::study::plane::display;
 
 /// The difference of two pictures that else agree.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,8 +2,8 @@
 
 use super::PIXELS_A_DEGREE;
 use crate::math::functions::exponential_f64;
-use crate::study::Plane;
-use crate::study::plane::gaussian;
+use crate::metrics::Plane;
+use crate::metrics::gaussian;
 
 const PI: f64 = std::f64::consts::PI;
 

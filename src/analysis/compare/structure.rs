@@ -10,8 +10,8 @@ use super::tone_search::Pair;
 use crate::colour::luminance;
 use crate::envmap::ImageOperation;
 use crate::math::Vec3;
+use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
-use crate::study::plane::{Plane, gaussian};
 
 /// Long side of the pictures that are searched, and of those that decide.
 const SEARCHED_SIDE: usize = 64;

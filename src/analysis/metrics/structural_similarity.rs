@@ -1,8 +1,8 @@
 //! Structural similarity (Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment, 2004).
 
 use super::check_sizes;
+use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
-use crate::study::plane::{Plane, gaussian};
 
 /// The window: a Gaussian of standard deviation 1.5 over 11 x 11 pixels.
 const RADIUS: usize = 5;

@@ -1,6 +1,6 @@
 //! Where two pictures differ most.
 
-use crate::study::Plane;
+use crate::metrics::Plane;
 
 /// A box of pixels, and how it differs.
 #[derive(Debug, Clone, Copy, PartialEq)]
