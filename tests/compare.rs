@@ -257,7 +257,7 @@ fn highlights_that_a_file_cut_off_are_named() {
 }
 
 #[test]
-fn every_laying_of_an_oblong_picture_is_named() {
+fn every_orientation_of_an_oblong_picture_is_named() {
     let expected = subject("lesson", [0, 0]);
     let (width, height) = (expected.width(), expected.height());
     let clockwise = Raster::from_function(height, width, |x, y| expected.pixel(y, height - 1 - x));

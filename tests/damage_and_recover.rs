@@ -41,8 +41,8 @@ fn run(storages: &[Storage], counts: [usize; 2]) {
             let kinds = [
                 ("one face", Damage::of_one_face(), Names::Trusted),
                 ("one face, any", Damage::of_one_face(), Names::Auto),
-                ("all faces", Damage::random_layings(counts[0]), Names::Trusted),
-                ("all faces, any", Damage::random_layings(counts[0]), Names::Auto),
+                ("all faces", Damage::random_orientations(counts[0]), Names::Trusted),
+                ("all faces, any", Damage::random_orientations(counts[0]), Names::Auto),
                 ("two swapped", Damage::swaps(counts[1]), Names::Auto),
             ];
             for (kind, damages, names) in kinds {

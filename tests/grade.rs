@@ -142,8 +142,8 @@ impl Student {
         let length = direction.iter().map(|component| component * component).sum::<f64>().sqrt();
         let shortened = |place: f64| if self.divides { place } else { (place - 0.5) * largest / length + 0.5 };
         let (u, v) = (shortened(u), shortened(v));
-        let (image, laying) = self.faces[face];
-        let (first, second) = FORMULAS[laying];
+        let (image, orientation) = self.faces[face];
+        let (first, second) = FORMULAS[orientation];
         let (u, v) = (value(first, u, v), value(second, u, v));
         let (factor, summand) = self.range;
         let (x, y) = ((factor * u + summand), 1.0 - (factor * v + summand));
@@ -262,13 +262,13 @@ impl Row {
     fn check(&mut self, student: &Student, photographs: &Photographs, grade: &Grade) {
         self.cases += 1;
         for face in &grade.faces {
-            let (image, laying) = student.faces[face.face.index()];
+            let (image, orientation) = student.faces[face.face.index()];
             let told =
                 format!("{}: face {:?} of {:?}: {:?}", photographs.name, face.face, student.faces, face.possible);
             let told = format!("{told} {} {} {:?}", student.size, student.bilinear, student.tone);
             assert!(face.misfit.is_none(), "{told}: {:?}", face.misfit);
             let is_true = |placement: &skycube::grade::Placement| {
-                placement.image.index() == image && placement.laying.formulas() == FORMULAS[laying]
+                placement.image.index() == image && placement.orientation.formulas() == FORMULAS[orientation]
             };
             assert!(face.possible.iter().any(is_true), "{told}");
             if !face.is_decided() {
@@ -278,7 +278,7 @@ impl Row {
             self.decided += 1;
             let (first, second) = face.repair().unwrap().formulas();
             for (u, v) in [(0.1, 0.3), (0.7, 0.2)] {
-                let (code_u, code_v) = (value(FORMULAS[laying].0, u, v), value(FORMULAS[laying].1, u, v));
+                let (code_u, code_v) = (value(FORMULAS[orientation].0, u, v), value(FORMULAS[orientation].1, u, v));
                 let repaired = (value(first, code_u, code_v), value(second, code_u, code_v));
                 assert!((repaired.0 - u).abs() + (repaired.1 - v).abs() < 1e-12, "{told}");
             }
@@ -293,7 +293,7 @@ impl Row {
 }
 
 #[test]
-fn every_laying_of_a_single_face_is_named() {
+fn every_orientation_of_a_single_face_is_named() {
     for photographs in maps() {
         let mut row = Row::default();
         for number in cases(48) {
@@ -304,12 +304,12 @@ fn every_laying_of_a_single_face_is_named() {
             let verdict = grade.verdict();
             assert!(!matches!(verdict, GradeVerdict::Camera | GradeVerdict::CameraAndLookup), "{verdict:?}");
         }
-        row.print("one face, every laying", &photographs.name);
+        row.print("one face, every orientation", &photographs.name);
     }
 }
 
 #[test]
-fn six_random_layings_are_named() {
+fn six_random_orientations_are_named() {
     let mut random = Random(6);
     for photographs in maps() {
         let mut row = Row::default();
@@ -318,7 +318,7 @@ fn six_random_layings_are_named() {
             student.faces.iter_mut().for_each(|face| face.1 = random.below(8));
             row.check(&student, &photographs, &student.grade(&photographs));
         }
-        row.print("six random layings", &photographs.name);
+        row.print("six random orientations", &photographs.name);
     }
 }
 
@@ -352,7 +352,7 @@ fn a_wrong_camera_is_told_from_a_wrong_lookup() {
                 continue;
             }
             assert_eq!(grade.verdict(), GradeVerdict::Camera, "{} {screen} {grade:?}", photographs.name);
-            assert_eq!(grade.camera.laying.formulas(), formulas, "{}", photographs.name);
+            assert_eq!(grade.camera.orientation.formulas(), formulas, "{}", photographs.name);
             assert!(matches!(grade.alternatives[..], [Alternative::Lookup(_)]));
             row.check(&student, &photographs, &grade);
         }
@@ -422,7 +422,7 @@ fn a_missing_division_is_named() {
 
 /// u and v from -1 to 1, and what shows of it.
 #[test]
-fn a_texture_read_out_of_range_fits_no_laying() {
+fn a_texture_read_out_of_range_fits_no_orientation() {
     let photographs = &maps()[1];
     let names =
         [(Beyond::Border, Misfit::Smeared), (Beyond::Repeated, Misfit::Repeated), (Beyond::Black, Misfit::PartlyBlack)];

@@ -8,7 +8,7 @@ mod pictures;
 
 use made_up::from_directions;
 use pictures::{Map, Storage, computed, display, laid, right_maps};
-use skycube::envmap::{Face, Laying};
+use skycube::envmap::{Face, Orientation};
 use skycube::picture::Picture;
 use skycube::stress::Random;
 use skycube::validate::{Check, Names, Note, Reason, Verdict};
@@ -45,7 +45,7 @@ fn maps() -> Vec<(&'static str, Map)> {
 
 /// What was found, for messages.
 fn found(check: &Check) -> String {
-    let fixes = check.fix.faces.map(|fix| (fix.image.name(), fix.laying.formulas(), fix.decided));
+    let fixes = check.fix.faces.map(|fix| (fix.image.name(), fix.orientation.formulas(), fix.decided));
     format!("{:?} {:?} {fixes:?}", check.verdict, check.foreign)
 }
 
@@ -74,7 +74,7 @@ fn unrelated_pictures_are_undecidable() {
     for trial in 0..20 {
         let pictures: [Picture; 6] = std::array::from_fn(|face| {
             let map = &maps[(trial + face * (1 + trial % 3)) % maps.len()].1;
-            laid(&map.pictures()[random.below(6)], Laying::ALL[random.below(8)])
+            laid(&map.pictures()[random.below(6)], Orientation::ALL[random.below(8)])
         });
         assert_unbroken(&format!("mixture {trial}"), &Map::new(pictures));
     }
@@ -146,13 +146,21 @@ fn byte_identical_faces_are_named_and_never_put_wrong() {
     let check = room.check(Names::Auto);
     let identical = check.notes.iter().filter(|note| matches!(note, Note::Identical { .. })).count();
     assert_eq!(identical, 6, "{:?}", check.notes);
-    for laying in Laying::ALL {
-        let mut layings = [Laying::IDENTITY; 6];
-        layings[0] = laying;
-        let check = room.damaged(&[0, 1, 2, 3, 4, 5], &layings).check(Names::Trusted);
+    for orientation in Orientation::ALL {
+        let mut orientations = [Orientation::IDENTITY; 6];
+        orientations[0] = orientation;
+        let check = room.damaged(&[0, 1, 2, 3, 4, 5], &orientations).check(Names::Trusted);
         let [wall, others @ ..] = check.fix.faces;
-        assert!(others.iter().all(|fix| fix.laying == Laying::IDENTITY), "{laying:?}: {}", found(&check));
-        assert!(room.looks_alike(0, laying.after(wall.laying), 0) || !wall.decided, "{laying:?}: {}", found(&check));
+        assert!(
+            others.iter().all(|fix| fix.orientation == Orientation::IDENTITY),
+            "{orientation:?}: {}",
+            found(&check)
+        );
+        assert!(
+            room.looks_alike(0, orientation.after(wall.orientation), 0) || !wall.decided,
+            "{orientation:?}: {}",
+            found(&check)
+        );
     }
 }
 
@@ -255,10 +263,11 @@ fn a_grey_face_among_coloured_ones_belongs_and_a_turned_one_is_found() {
     for (name, map) in maps().into_iter().filter(|(name, _)| ["compass", "meadow", "studio-garden"].contains(name)) {
         let grey = changed(&map.pictures()[4], |_, _, c| [(c[0] + 2.0 * c[1] + c[2]) / 4.0; 3]);
         assert_unbroken(&format!("{name} with a grey face"), &with(&map, 4, grey.clone()));
-        let check = with(&map, 4, laid(&grey, Laying::ALL[4])).check(Names::Trusted);
+        let check = with(&map, 4, laid(&grey, Orientation::ALL[4])).check(Names::Trusted);
         let fix = check.fix.faces[4];
-        let others = check.fix.faces.iter().all(|fix| fix.face == Face::PosZ || fix.laying == Laying::IDENTITY);
-        assert!(others && (fix.laying == Laying::ALL[5] || !fix.decided), "{name}: {}", found(&check));
+        let others =
+            check.fix.faces.iter().all(|fix| fix.face == Face::PosZ || fix.orientation == Orientation::IDENTITY);
+        assert!(others && (fix.orientation == Orientation::ALL[5] || !fix.decided), "{name}: {}", found(&check));
     }
 }
 

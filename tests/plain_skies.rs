@@ -12,7 +12,7 @@ mod recovery;
 use made_up::{fading, from_directions, glow, gradient, starry};
 use pictures::{Map, Storage};
 use recovery::{Damage, Recovery, Tally};
-use skycube::envmap::Laying;
+use skycube::envmap::Orientation;
 use skycube::validate::{Names, Verdict};
 
 /// A kind of sky, by its side in texels, its amplitude in codes and its noise.
@@ -21,8 +21,9 @@ const SKIES: [Sky; 3] = [("gradient", gradient), ("fading", fading), ("glow", gl
 
 /// Faces turned by 90 degrees, one flipped, one turned half around; and two that changed places where names may be wrong.
 fn faults(names: Names) -> Vec<Damage> {
-    let turns = [0, 2, 3, 5].into_iter().flat_map(|face| [4, 5].map(|turn| Damage::laying(face, Laying::ALL[turn])));
-    let others = [Damage::laying(1, Laying::ALL[1]), Damage::laying(4, Laying::ALL[3])];
+    let turns =
+        [0, 2, 3, 5].into_iter().flat_map(|face| [4, 5].map(|turn| Damage::orientation(face, Orientation::ALL[turn])));
+    let others = [Damage::orientation(1, Orientation::ALL[1]), Damage::orientation(4, Orientation::ALL[3])];
     let mut faults: Vec<Damage> = turns.chain(others).collect();
     if names == Names::Auto {
         faults.extend([Damage::swap(0, 4), Damage::swap(2, 5)]);
@@ -104,9 +105,13 @@ fn starfields_are_never_put_wrong() {
 
 #[test]
 fn a_turned_face_in_a_smooth_sky_of_one_code_is_found() {
-    let check = gradient(256, 1.0, 0.0).damaged(&Damage::NONE.images, &Damage::laying(2, Laying::ALL[4]).layings);
+    let check = gradient(256, 1.0, 0.0)
+        .damaged(&Damage::NONE.images, &Damage::orientation(2, Orientation::ALL[4]).orientations);
     let check = check.check(Names::Auto);
-    assert_eq!((check.verdict, check.fix.changes, check.fix.faces[2].laying), (Verdict::Broken, 1, Laying::ALL[5]));
+    assert_eq!(
+        (check.verdict, check.fix.changes, check.fix.faces[2].orientation),
+        (Verdict::Broken, 1, Orientation::ALL[5])
+    );
 }
 
 #[test]

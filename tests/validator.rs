@@ -55,7 +55,7 @@ fn check_pictures(pictures: [Picture; 6], lookup: Lookup, options: &CheckOptions
 fn changes(check: &Check) -> String {
     let mut changes = Vec::new();
     for fix in check.fix.faces.iter().filter(|fix| !fix.is_unchanged(&check.lookup)) {
-        let (u, v) = fix.laying.formulas();
+        let (u, v) = fix.orientation.formulas();
         let image = if fix.image == fix.face { String::new() } else { format!(" reads {}", fix.image.name()) };
         changes.push(format!("{}{image} ({u}, {v})", fix.face.name()));
     }
@@ -81,9 +81,9 @@ fn the_exercise_is_corrected_on_a_download() {
     let check = checked(&map, Preset::Exercise, Some(SignedAxis::POS_Z));
     assert_eq!(check.fix.lookup(&check.lookup), Preset::HumusZUp.lookup());
     assert_eq!(check.fix.convention, Some(Convention::HumusZUp));
-    let layings = check.fix.faces.map(|fix| fix.laying.formulas());
+    let orientations = check.fix.faces.map(|fix| fix.orientation.formulas());
     let as_is = ("u", "v");
-    assert_eq!(layings, [("1-u", "v"), as_is, as_is, ("1-u", "v"), ("u", "1-v"), as_is]);
+    assert_eq!(orientations, [("1-u", "v"), as_is, as_is, ("1-u", "v"), ("u", "1-v"), as_is]);
 }
 
 #[test]
@@ -173,7 +173,7 @@ fn the_report_says_how_seams_are_judged_and_counts_in_good_grammar() {
     let check = checked(&compass().with_file_name("courtyard"), Preset::Exercise, Some(SignedAxis::POS_Z));
     let report = CheckReport::new("courtyard".to_owned(), &check).to_string();
     assert!(report.contains("score = step / max(detail, 0.5)"), "{report}");
-    assert!(report.contains("verdict: not by the score, but by comparing layings"), "{report}");
+    assert!(report.contains("verdict: not by the score, but by comparing orientations"), "{report}");
     let rough = check.fix.seams_after.iter().filter(|seam| seam.score > 3.0).count();
     assert_eq!(check.verdict, Verdict::Broken);
     assert!(rough > 0 && report.contains(&format!("{rough} of 12 seams")), "{report}");
@@ -185,7 +185,7 @@ fn the_report_says_how_seams_are_judged_and_counts_in_good_grammar() {
     // Where images change places, seams leave open how the cube as a whole is turned and mirrored.
     let swapped = faulty(|images| images.swap(0, 2));
     let report = CheckReport::new("swapped".to_owned(), &swapped).to_string();
-    let count = "equally good layings: 48, the simplest of them shown: seams cannot tell them apart";
+    let count = "equally good orientations: 48, the simplest of them shown: seams cannot tell them apart";
     assert!(report.contains(count) && report.contains("turned and mirrored in 48 ways"), "{report}");
 }
 
@@ -197,7 +197,7 @@ fn the_report_on_swapped_faces() {
 
 #[test]
 fn the_report_on_a_turned_face() {
-    let check = faulty(|pictures| pictures[2] = pictures::laid(&pictures[2], skycube::envmap::Laying::ALL[4]));
+    let check = faulty(|pictures| pictures[2] = pictures::laid(&pictures[2], skycube::envmap::Orientation::ALL[4]));
     insta::assert_snapshot!("turned_text", CheckReport::new("turned".to_owned(), &check));
 }
 

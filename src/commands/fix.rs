@@ -8,7 +8,7 @@ use super::Outcome;
 use super::check::ValidationOptions;
 use super::options::{refuse_shared_images, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::refuse_rivals;
-use crate::envmap::Laying;
+use crate::envmap::Orientation;
 use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
 use crate::picture::{check_folder_target, make_folder, write_together};
@@ -98,23 +98,23 @@ fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Re
     let slot = check.lookup.row(fix.face).image;
     let image = skybox.image(fix.image);
     let target = |extension: &str| folder.join(format!("{}.{extension}", slot.name()));
-    if fix.laying == Laying::IDENTITY
+    if fix.orientation == Orientation::IDENTITY
         && let Some(bytes) = image.encoded_bytes()?
     {
         let what = format!("{} as it is", image.name());
         return Ok(Corrected { target: target(image.header().format.extension()), bytes, what });
     }
     let picture = image.decode()?;
-    if picture.width() != picture.height() && fix.laying != Laying::IDENTITY {
+    if picture.width() != picture.height() && fix.orientation != Orientation::IDENTITY {
         return Err(Error::new(format!("{} x {} pixels cannot be turned", picture.width(), picture.height()))
             .in_file(image.name())
             .expected("a square picture"));
     }
-    let operation = fix.laying.image_operation(check.lookup.v_origin());
+    let operation = fix.orientation.image_operation(check.lookup.v_origin());
     let (bytes, extension) = operation.applied(&picture).encode_lossless()?;
     let alpha = if picture.header().alpha { ", without its alpha channel" } else { "" };
-    let what = match fix.laying {
-        Laying::IDENTITY => format!("{} cut out{alpha}", image.name()),
+    let what = match fix.orientation {
+        Orientation::IDENTITY => format!("{} cut out{alpha}", image.name()),
         _ => format!("{}, {}{alpha}", image.name(), operation.name()),
     };
     Ok(Corrected { target: target(extension), bytes, what })

@@ -16,7 +16,7 @@
 use std::fmt;
 
 use super::rounded::rounded;
-use crate::envmap::{Laying, Lookup};
+use crate::envmap::{Lookup, Orientation};
 use crate::validate::{Check, FaceFix, Seam, Verdict};
 
 /// A check of a map, to be printed.
@@ -76,7 +76,7 @@ pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
 
 /// The statements that turn u, v into u', v', to be put behind those that compute u and v.
 fn statements(fix: &FaceFix) -> Vec<&'static str> {
-    let Laying { swaps, inverts_u, inverts_v } = fix.laying;
+    let Orientation { swaps, inverts_u, inverts_v } = fix.orientation;
     // After the swap u holds the old v, so the inversions read alike with and without it.
     let all = [(swaps, "swap(u, v);"), (inverts_u, "u = 1 - u;"), (inverts_v, "v = 1 - v;")];
     all.into_iter().filter(|(needed, _)| *needed).map(|(_, statement)| statement).collect()
@@ -84,7 +84,7 @@ fn statements(fix: &FaceFix) -> Vec<&'static str> {
 
 /// The coordinates that differ from u and v, as formulas.
 fn formulas(fix: &FaceFix) -> Vec<String> {
-    let (u, v) = fix.laying.formulas();
+    let (u, v) = fix.orientation.formulas();
     let changed = [("u", u), ("v", v)].into_iter().filter(|(name, formula)| name != formula);
     changed.map(|(name, formula)| format!("{name}' = {formula}")).collect()
 }
@@ -175,13 +175,13 @@ impl<'a> Json<'a> {
 }
 
 fn face_fix(fix: &FaceFix, lookup: &Lookup) -> JsonFaceFix {
-    let (u, v) = fix.laying.formulas();
+    let (u, v) = fix.orientation.formulas();
     JsonFaceFix {
         face: fix.face.name(),
         image: fix.image.name(),
         u,
         v,
-        image_operation: fix.laying.image_operation(lookup.v_origin()).name(),
+        image_operation: fix.orientation.image_operation(lookup.v_origin()).name(),
         decided: fix.decided,
     }
 }
@@ -202,7 +202,7 @@ const TURNS_OF_A_CUBE: usize = 48;
 
 /// What the columns of the seams are.
 const LEGEND: &str = "  score = step / max(detail, 0.5): mean step across the seam over that from texel to texel inside both faces, of 255
-  verdict: not by the score, but by comparing layings: broken if the best laying continues the two borders decisively
+  verdict: not by the score, but by comparing orientations: broken if the best orientation continues the two borders decisively
   better elsewhere, or a face at the seam does not belong; undecidable if they go as well with most other borders";
 
 impl fmt::Display for CheckReport<'_> {
@@ -233,7 +233,7 @@ impl fmt::Display for CheckReport<'_> {
         writeln!(formatter, "{LEGEND}")?;
         writeln!(
             formatter,
-            "\n  margin {:.1}: standard errors by which the next different laying is worse\n  {}",
+            "\n  margin {:.1}: standard errors by which the next different orientation is worse\n  {}",
             fix.margin,
             self.equally_good()
         )?;
@@ -249,10 +249,10 @@ impl CheckReport<'_> {
     fn equally_good(&self) -> String {
         let Check { fix, lookup, foreign, .. } = self.check;
         if !foreign.is_empty() {
-            return "equally good layings: not counted, since a face does not belong here".to_owned();
+            return "equally good orientations: not counted, since a face does not belong here".to_owned();
         }
         if fix.equivalents == 1 {
-            return "equally good layings: 1, the one shown".to_owned();
+            return "equally good orientations: 1, the one shown".to_owned();
         }
         let renamed = fix.faces.iter().any(|face| face.image != lookup.row(face.face).image);
         let whole = if renamed && fix.equivalents.is_multiple_of(TURNS_OF_A_CUBE) {
@@ -261,7 +261,7 @@ impl CheckReport<'_> {
             ""
         };
         format!(
-            "equally good layings: {}, the simplest of them shown: seams cannot tell them apart{whole}",
+            "equally good orientations: {}, the simplest of them shown: seams cannot tell them apart{whole}",
             fix.equivalents
         )
     }
@@ -281,8 +281,8 @@ impl CheckReport<'_> {
             // The file takes the name that the lookup reads for this face.
             file_change.push(format!("read {file} as {}", check.lookup.row(fix.face).image.name()));
         }
-        if fix.laying != Laying::IDENTITY {
-            file_change.push(fix.laying.image_operation(check.lookup.v_origin()).name().to_owned());
+        if fix.orientation != Orientation::IDENTITY {
+            file_change.push(fix.orientation.image_operation(check.lookup.v_origin()).name().to_owned());
         }
         let doubt = if fix.decided { "" } else { " (undecided)" };
         writeln!(formatter, "    or the file: {}{doubt}", file_change.join(", "))

@@ -3,7 +3,7 @@
 //! Every face has its own colour, its name in the middle, arrows along growing u and v, a grid in tenths, and at each
 //! border the name of the neighbour. Along each of the twelve seams runs a border strip that is a function of the
 //! point on the cube alone, so it goes on across the seam: a colour gradient with bent bars, which read as the
-//! number of the seam in binary. Positions along a seam are never symmetric, so the map closes in one laying only.
+//! number of the seam in binary. Positions along a seam are never symmetric, so the map closes in one orientation only.
 //!
 //! ```text
 //!   +---------------------------+    s, t: coordinates on the face, -1 to 1,

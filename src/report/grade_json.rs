@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::rounded::rounded;
-use crate::envmap::{Face, Laying};
+use crate::envmap::{Face, Orientation};
 use crate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
 
 /// The report for machines.
@@ -48,7 +48,7 @@ struct JsonFace {
     face: Face,
     /// The shot that shows the face.
     shot: Face,
-    /// Null if the shot fits no laying of any image.
+    /// Null if the shot fits no orientation of any image.
     image: Option<Face>,
     u: Option<&'static str>,
     v: Option<&'static str>,
@@ -56,7 +56,7 @@ struct JsonFace {
     wrong: bool,
     /// How many placements the pixels leave.
     possible: usize,
-    /// What the shot looks like if it fits no laying.
+    /// What the shot looks like if it fits no orientation.
     misfit: Option<&'static str>,
     /// What to compute from the code's own u and v, null if nothing is to be repaired.
     repair: Option<JsonRepair>,
@@ -79,7 +79,7 @@ impl<'a> Json<'a> {
             camera: JsonCamera {
                 right: grade.camera == CameraFault::NONE && grade.field_of_view.is_none(),
                 fault: fault_name(grade.camera),
-                image_operation: screen_operation(grade.camera.laying).name(),
+                image_operation: screen_operation(grade.camera.orientation).name(),
                 // A tenth of a degree is more than can be known.
                 field_of_view: grade.field_of_view.map_or(90.0, |angle| rounded(angle, 1)),
                 axes: grade.camera.axes.map(|axis| axis.to_string()),
@@ -97,7 +97,7 @@ impl<'a> Json<'a> {
 
 fn face(grade: &FaceGrade) -> JsonFace {
     let placement = grade.placement();
-    let formulas = placement.map(|placement| placement.laying.formulas());
+    let formulas = placement.map(|placement| placement.orientation.formulas());
     let repair = grade.repair().filter(|_| grade.is_wrong());
     JsonFace {
         face: grade.face,
@@ -109,15 +109,15 @@ fn face(grade: &FaceGrade) -> JsonFace {
         wrong: grade.is_wrong(),
         possible: grade.possible.len(),
         misfit: grade.misfit.map(misfit_name),
-        repair: repair.map(|laying| {
-            let (u, v) = laying.formulas();
+        repair: repair.map(|orientation| {
+            let (u, v) = orientation.formulas();
             JsonRepair { image: grade.expected, u, v }
         }),
     }
 }
 
 fn fault_name(camera: CameraFault) -> &'static str {
-    let Laying { swaps, inverts_u, inverts_v } = camera.laying;
+    let Orientation { swaps, inverts_u, inverts_v } = camera.orientation;
     match (swaps, inverts_u, inverts_v) {
         _ if camera.exchanges_axes() => "axes",
         (false, false, false) => "none",
@@ -138,7 +138,7 @@ fn misfit_name(misfit: Misfit) -> &'static str {
     }
 }
 
-/// What was done to a picture that shows at (s, t) what the right one has at `laying(s, t)`, t growing upwards.
-pub(super) fn screen_operation(laying: Laying) -> crate::envmap::ImageOperation {
-    laying.image_operation(crate::envmap::VOrigin::Bottom)
+/// What was done to a picture that shows at (s, t) what the right one has at `orientation(s, t)`, t growing upwards.
+pub(super) fn screen_operation(orientation: Orientation) -> crate::envmap::ImageOperation {
+    orientation.image_operation(crate::envmap::VOrigin::Bottom)
 }

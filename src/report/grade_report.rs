@@ -64,7 +64,7 @@ impl GradeReport<'_> {
     fn out_of_range(&self) -> &'static str {
         let shown = |misfit: &Misfit| *misfit == Misfit::Unlike;
         if self.grade.faces.iter().filter_map(|face| face.misfit).all(|misfit| shown(&misfit)) {
-            "a shot fits no laying of any image: the texture is read out of range, or the map is another one, or the camera \
+            "a shot fits no orientation of any image: the texture is read out of range, or the map is another one, or the camera \
              is rolled, elsewhere, or not 90° wide in this shot alone"
         } else {
             "a shot shows no image of the map: the texture is read out of range"
@@ -90,7 +90,7 @@ impl GradeReport<'_> {
         if self.grade.undivided {
             notes.push(
                 "each picture shows only the middle of its image, enlarged, as code does that takes the components of a unit \
-                 direction without dividing them; images and layings are told as if it had divided"
+                 direction without dividing them; images and orientations are told as if it had divided"
                     .to_owned(),
             );
         }
@@ -111,7 +111,7 @@ impl GradeReport<'_> {
     /// `posx   image negx, flipped left-right`.
     fn shot_line(&self, face: &FaceGrade) -> String {
         let mark = match face {
-            _ if face.misfit.is_some() => "fits no laying of any image".to_owned(),
+            _ if face.misfit.is_some() => "fits no orientation of any image".to_owned(),
             _ if face.is_wrong() => format!("should read {}", face.right().image.name()),
             _ if face.is_decided() => "right".to_owned(),
             _ => "undecided".to_owned(),
@@ -119,12 +119,12 @@ impl GradeReport<'_> {
         let Some(placement) = face.placement() else {
             return format!("{}   {:<7}  ?        ?            {mark}", face.shot.name(), face.face.signed_name());
         };
-        let (u, v) = placement.laying.formulas();
+        let (u, v) = placement.orientation.formulas();
         let reads = format!("({u}, {v})");
         let wrong = match (face.is_wrong(), placement.image == face.expected) {
             (true, true) => {
-                // What their laying did to the image as it should be seen.
-                let operation = placement.laying.image_operation(self.v_origin).name();
+                // What their orientation did to the image as it should be seen.
+                let operation = placement.orientation.image_operation(self.v_origin).name();
                 format!("wrong: {operation}{}", if face.is_decided() { "" } else { " (or another of its ties)" })
             }
             _ => mark,

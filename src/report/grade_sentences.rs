@@ -1,7 +1,7 @@
 //! The faults of cameras and lookups in plain sentences, for the report of `skycube grade`.
 
 use super::grade_json::screen_operation;
-use crate::envmap::{Face, ImageOperation, Laying, Preset, SignedAxis};
+use crate::envmap::{Face, ImageOperation, Orientation, Preset, SignedAxis};
 use crate::grade::{Alternative, CameraFault, FaceGrade, Misfit, PresetReading};
 
 /// The repair of code that does not divide.
@@ -14,19 +14,19 @@ pub(super) fn repair(face: &FaceGrade) -> String {
     if let Some(placement) = face.placement().filter(|placement| placement.image != face.expected) {
         parts.push(format!("image = {} instead of {}", face.expected.constant_name(), placement.image.constant_name()));
     }
-    let laying = face.repair().unwrap_or(Laying::IDENTITY);
-    if laying != Laying::IDENTITY {
-        parts.push(coordinates(laying));
+    let orientation = face.repair().unwrap_or(Orientation::IDENTITY);
+    if orientation != Orientation::IDENTITY {
+        parts.push(coordinates(orientation));
     }
     let open = if face.is_decided() { "" } else { "   (one of several that the pixels cannot tell apart)" };
     format!("case {}: {}{open}", face.face.constant_name(), parts.join("; "))
 }
 
 /// The new u and v as assignments.
-fn coordinates(laying: Laying) -> String {
+fn coordinates(orientation: Orientation) -> String {
     let spaced = |formula: &str| formula.replace('-', " - ");
-    let (u, v) = laying.formulas();
-    match (laying.swaps, laying.inverts_u, laying.inverts_v) {
+    let (u, v) = orientation.formulas();
+    match (orientation.swaps, orientation.inverts_u, orientation.inverts_v) {
         (true, ..) => format!("(u, v) = ({}, {})", spaced(u), spaced(v)),
         (false, true, false) => "u = 1 - u".to_owned(),
         (false, false, true) => "v = 1 - v".to_owned(),
@@ -38,16 +38,16 @@ fn coordinates(laying: Laying) -> String {
 pub(super) fn describe(camera: CameraFault) -> String {
     if camera.exchanges_axes() {
         let [x, y, z] = camera.axes;
-        let laid = match camera.laying {
-            Laying::IDENTITY => String::new(),
-            laying => format!(", and every picture is laid otherwise ({})", screen_operation(laying).name()),
+        let laid = match camera.orientation {
+            Orientation::IDENTITY => String::new(),
+            orientation => format!(", and every picture is laid otherwise ({})", screen_operation(orientation).name()),
         };
         return format!(
             "the axes are mixed up: your camera looks along {x} for +x, {y} for +y, {z} for +z{laid}; or the shots are \
              named after other axes"
         );
     }
-    format!("all six are {}", laid_by(screen_operation(camera.laying)))
+    format!("all six are {}", laid_by(screen_operation(camera.orientation)))
 }
 
 /// The wrong formulas that lay every picture so.
@@ -182,10 +182,10 @@ pub(super) fn undecided(face: &FaceGrade) -> String {
     let mut images: Vec<Face> = face.possible.iter().map(|placement| placement.image).collect();
     images.sort();
     images.dedup();
-    let layings = face.possible.len();
+    let orientations = face.possible.len();
     let what = match images[..] {
-        [image] => format!("image {} in {layings} ways", image.name()),
-        _ => format!("images {} in {layings} ways", names(&images)),
+        [image] => format!("image {} in {orientations} ways", image.name()),
+        _ => format!("images {} in {orientations} ways", names(&images)),
     };
     let right = if face.is_wrong() { "" } else { ", the right one among them" };
     format!("face {} is undecided: the pixels fit {what}{right}", face.face.signed_name())
@@ -215,12 +215,12 @@ mod tests {
     /// What a shot shows whose camera has these vectors, where `right` and `top` are those of a right one.
     fn operation([right, top]: [DVec3; 2], [wrong_right, wrong_top]: [DVec3; 2]) -> ImageOperation {
         let component = |axis: DVec3, s: f64, t: f64| (wrong_right * s + wrong_top * t).dot(axis);
-        let laid = |laying: &&Laying| {
-            let (u, v) = laying.apply(0.7, 0.8);
+        let laid = |orientation: &&Orientation| {
+            let (u, v) = orientation.apply(0.7, 0.8);
             let place = |axis| (component(axis, 0.4, 0.6) + 1.0) / 2.0;
             (f64::from(u) - place(right)).abs() + (f64::from(v) - place(top)).abs() < 1e-6
         };
-        screen_operation(*Laying::ALL.iter().find(laid).expect("the vectors are exchanged or turned round"))
+        screen_operation(*Orientation::ALL.iter().find(laid).expect("the vectors are exchanged or turned round"))
     }
 
     #[test]

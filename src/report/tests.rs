@@ -21,7 +21,7 @@ fn repository_holds_the_compass_as_it_is_drawn() {
 /// Texels of a face along one border, turned by one of the eight ways to lay a square picture (bit 0: u is `1 - u`,
 /// bit 1: v is `1 - v`, bit 2: u and v change places). Texel `i` touches the border towards
 /// `neighbour`, at `(i + 0.5) / SIZE` along the growing free axis.
-fn border(faces: &[Picture], frame: &FaceFrame, neighbour: Face, laying: usize) -> Vec<[f32; 3]> {
+fn border(faces: &[Picture], frame: &FaceFrame, neighbour: Face, orientation: usize) -> Vec<[f32; 3]> {
     let texel = |index: usize| {
         let along = 2.0 * (index as f32 + 0.5) / SIZE as f32 - 1.0;
         let towards = 1.0 - 1.0 / SIZE as f32;
@@ -29,9 +29,9 @@ fn border(faces: &[Picture], frame: &FaceFrame, neighbour: Face, laying: usize) 
         let point =
             frame.face.normal() + towards * neighbour.normal() + along * Face::on_axis(free_axis, true).normal();
         let (s, t) = (point.dot(frame.right.normal()), point.dot(frame.below.normal()));
-        let (s, t) = if laying & 4 == 0 { (s, t) } else { (t, s) };
-        let s = if laying & 1 == 0 { s } else { -s };
-        let t = if laying & 2 == 0 { t } else { -t };
+        let (s, t) = if orientation & 4 == 0 { (s, t) } else { (t, s) };
+        let s = if orientation & 1 == 0 { s } else { -s };
+        let t = if orientation & 2 == 0 { t } else { -t };
         let texel = |coordinate: f32| ((0.5 * coordinate + 0.5) * SIZE as f32) as usize;
         let picture = &faces[frame.face.index()];
         match picture.texels() {
@@ -70,12 +70,13 @@ fn every_seam_of_the_compass_closes() {
 }
 
 #[test]
-fn a_face_of_the_compass_fits_in_one_laying_only() {
+fn a_face_of_the_compass_fits_in_one_orientation_only() {
     let faces = Face::ALL.map(|face| draw_compass_face(face, SIZE));
     for face in Face::ALL {
         for neighbour in neighbours(face) {
             let there = border(&faces, &FaceFrame::opengl(neighbour), face, 0);
-            let step = |laying| mean_step(&border(&faces, &FaceFrame::opengl(face), neighbour, laying), &there);
+            let step =
+                |orientation| mean_step(&border(&faces, &FaceFrame::opengl(face), neighbour, orientation), &there);
             let wrong = (1..8).map(step).fold(f32::INFINITY, f32::min);
             assert!(wrong > 10.0 * step(0), "{face:?} to {neighbour:?}: {wrong} against {} as drawn", step(0));
         }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use skycube::colour::encode_srgb;
 use skycube::envmap::source::Skybox;
-use skycube::envmap::{CubeFilter, CubeMap, Face, Laying, LazyImage, Preset, VOrigin};
+use skycube::envmap::{CubeFilter, CubeMap, Face, LazyImage, Orientation, Preset, VOrigin};
 use skycube::math::Vec3;
 use skycube::picture::{self, Format, Header, OutputFormat, Picture, Raster, Texels, WriteOptions};
 use skycube::validate::{Check, CheckOptions, ImageFacts, Names, check};
@@ -62,16 +62,18 @@ pub fn right_maps() -> Vec<(&'static str, Map)> {
         .into_iter()
         .filter(|map| map.1.exists())
         .collect();
-    for (name, order, laying) in real {
-        maps.extend(shared_map(name).map(|path| (name, path, order, laying)));
+    for (name, order, orientation) in real {
+        maps.extend(shared_map(name).map(|path| (name, path, order, orientation)));
     }
-    maps.into_iter().map(|(name, path, order, laying)| (name, Map::read(&path, order, Laying::ALL[laying]))).collect()
+    maps.into_iter()
+        .map(|(name, path, order, orientation)| (name, Map::read(&path, order, Orientation::ALL[orientation])))
+        .collect()
 }
 
 impl Map {
-    fn read(path: &Path, order: [Face; 6], laying: Laying) -> Self {
+    fn read(path: &Path, order: [Face; 6], orientation: Orientation) -> Self {
         let skybox = Skybox::open(path).unwrap();
-        let pictures = order.map(|face| laid(&skybox.image(face).decode().unwrap(), laying));
+        let pictures = order.map(|face| laid(&skybox.image(face).decode().unwrap(), orientation));
         Self { pictures }
     }
 
@@ -109,14 +111,14 @@ impl Map {
     }
 
     /// The map with images in other places and laid otherwise.
-    pub fn damaged(&self, images: &[usize; 6], layings: &[Laying; 6]) -> Self {
-        Self { pictures: std::array::from_fn(|face| laid(&self.pictures[images[face]], layings[face])) }
+    pub fn damaged(&self, images: &[usize; 6], orientations: &[Orientation; 6]) -> Self {
+        Self { pictures: std::array::from_fn(|face| laid(&self.pictures[images[face]], orientations[face])) }
     }
 
-    /// True if an original image in a laying has the texels of the original at a face.
-    pub fn looks_alike(&self, image: usize, laying: Laying, face: usize) -> bool {
-        (image == face && laying == Laying::IDENTITY)
-            || laid(&self.pictures[image], laying).texels() == self.pictures[face].texels()
+    /// True if an original image in an orientation has the texels of the original at a face.
+    pub fn looks_alike(&self, image: usize, orientation: Orientation, face: usize) -> bool {
+        (image == face && orientation == Orientation::IDENTITY)
+            || laid(&self.pictures[image], orientation).texels() == self.pictures[face].texels()
     }
 
     pub fn check(&self, names: Names) -> Check {
@@ -131,13 +133,13 @@ impl Map {
     }
 }
 
-/// A picture after the operation on the file that the laying amounts to.
-pub fn laid(picture: &Picture, laying: Laying) -> Picture {
-    if laying == Laying::IDENTITY {
+/// A picture after the operation on the file that the orientation amounts to.
+pub fn laid(picture: &Picture, orientation: Orientation) -> Picture {
+    if orientation == Orientation::IDENTITY {
         return picture.clone();
     }
     let size = picture.width();
-    let operation = laying.image_operation(VOrigin::Top);
+    let operation = orientation.image_operation(VOrigin::Top);
     let places =
         (0..size).flat_map(|y| (0..size).map(move |x| operation.source(x, y, size))).map(|(x, y)| y * size + x);
     let texels = match picture.texels() {

@@ -1,7 +1,7 @@
 //! Damage done to a right map, and how it came back.
 #![allow(dead_code)] // Every test uses a part of it.
 
-use skycube::envmap::{Face, Laying};
+use skycube::envmap::{Face, Orientation};
 use skycube::stress::Random;
 use skycube::validate::{Check, Names};
 
@@ -21,20 +21,20 @@ pub enum Outcome {
     Wrong,
 }
 
-/// What was done to a map: per face the image and the laying of that image.
+/// What was done to a map: per face the image and the orientation of that image.
 #[derive(Debug, Clone, Copy)]
 pub struct Damage {
     pub images: [usize; 6],
-    pub layings: [Laying; 6],
+    pub orientations: [Orientation; 6],
 }
 
 impl Damage {
-    pub const NONE: Self = Self { images: [0, 1, 2, 3, 4, 5], layings: [Laying::IDENTITY; 6] };
+    pub const NONE: Self = Self { images: [0, 1, 2, 3, 4, 5], orientations: [Orientation::IDENTITY; 6] };
 
-    /// One face in another laying.
-    pub fn laying(face: usize, laying: Laying) -> Self {
+    /// One face in another orientation.
+    pub fn orientation(face: usize, orientation: Orientation) -> Self {
         let mut damage = Self::NONE;
-        damage.layings[face] = laying;
+        damage.orientations[face] = orientation;
         damage
     }
 
@@ -45,15 +45,18 @@ impl Damage {
         damage
     }
 
-    /// Each of the seven wrong layings on each face.
+    /// Each of the seven wrong orientations on each face.
     pub fn of_one_face() -> Vec<Self> {
-        let wrong = |face: usize| Laying::ALL[1..].iter().map(move |&laying| Self::laying(face, laying));
+        let wrong =
+            |face: usize| Orientation::ALL[1..].iter().map(move |&orientation| Self::orientation(face, orientation));
         (0..6).flat_map(wrong).collect()
     }
 
-    pub fn random_layings(count: usize) -> Vec<Self> {
+    pub fn random_orientations(count: usize) -> Vec<Self> {
         let mut random = Random(7);
-        (0..count).map(|_| Self { layings: [(); 6].map(|()| Laying::ALL[random.below(8)]), ..Self::NONE }).collect()
+        (0..count)
+            .map(|_| Self { orientations: [(); 6].map(|()| Orientation::ALL[random.below(8)]), ..Self::NONE })
+            .collect()
     }
 
     pub fn swaps(count: usize) -> Vec<Self> {
@@ -103,14 +106,14 @@ impl<'a> Recovery<'a> {
 
     /// Damages the map, checks it and says whether the fix undoes the damage.
     pub fn outcome(&self, damage: &Damage) -> Outcome {
-        let check = self.map.damaged(&damage.images, &damage.layings).check(self.names);
+        let check = self.map.damaged(&damage.images, &damage.orientations).check(self.names);
         assert_undecided_are_left_alone(&check);
         let mut unlike = Vec::new();
         for fix in check.fix.faces {
             // What the face shows after the fix: which original image, laid how.
             let source = damage.images[fix.image.index()];
-            let laying = damage.layings[fix.image.index()].after(fix.laying);
-            if self.map.looks_alike(source, laying, fix.face.index()) {
+            let orientation = damage.orientations[fix.image.index()].after(fix.orientation);
+            if self.map.looks_alike(source, orientation, fix.face.index()) {
                 continue;
             }
             if fix.decided || source != fix.face.index() {
@@ -123,9 +126,9 @@ impl<'a> Recovery<'a> {
 
     /// What was done and what was found, for messages.
     fn described(&self, damage: &Damage) -> String {
-        let check = self.map.damaged(&damage.images, &damage.layings).check(self.names);
-        let done = damage.layings.map(|laying| laying.formulas());
-        let found = check.fix.faces.map(|fix| (fix.image.name(), fix.laying.formulas(), fix.decided));
+        let check = self.map.damaged(&damage.images, &damage.orientations).check(self.names);
+        let done = damage.orientations.map(|orientation| orientation.formulas());
+        let found = check.fix.faces.map(|fix| (fix.image.name(), fix.orientation.formulas(), fix.decided));
         format!("images {:?} laid {done:?}: {:?} {found:?} {:?}", damage.images, check.verdict, check.foreign)
     }
 
@@ -141,8 +144,8 @@ impl<'a> Recovery<'a> {
             return Outcome::Wrong;
         }
         let images = check.fix.faces.map(|fix| damage.images[fix.image.index()]);
-        let layings = check.fix.faces.map(|fix| damage.layings[fix.image.index()].after(fix.laying));
-        let fixed = self.map.damaged(&images, &layings);
+        let orientations = check.fix.faces.map(|fix| damage.orientations[fix.image.index()].after(fix.orientation));
+        let fixed = self.map.damaged(&images, &orientations);
         let mut original = steps(self.map, &[]);
         let mut found = steps(&fixed, &[]);
         original.sort_unstable();
@@ -167,10 +170,10 @@ fn steps(map: &Map, without: &[Face]) -> Vec<i64> {
     kept.map(|seam| (seam.step * 1e6).round() as i64).collect()
 }
 
-/// A guess is no fix: a face that is not decided keeps its laying, but where a convention explains all six.
+/// A guess is no fix: a face that is not decided keeps its orientation, but where a convention explains all six.
 fn assert_undecided_are_left_alone(check: &Check) {
     for fix in check.fix.faces.iter().filter(|fix| !fix.decided && check.fix.convention.is_none()) {
-        let kept = fix.laying == Laying::IDENTITY;
+        let kept = fix.orientation == Orientation::IDENTITY;
         let moved = fix.image != check.lookup.row(fix.face).image;
         assert!(kept || moved, "{} is undecided and changed: {:?}", fix.face.name(), check.fix);
     }

@@ -59,12 +59,12 @@ fn left_by_a_camera(grade: &Grade) -> Option<usize> {
 fn a_wrong_camera_is_blamed_though_one_face_is_wrong_too() {
     let photographs = courtyard(Preset::Course);
     let mut row = Row::default();
-    for (screen, face, laying) in [(1, 0, 1), (1, 3, 1), (2, 3, 2), (3, 0, 3), (1, 3, 2), (4, 1, 3)] {
+    for (screen, face, orientation) in [(1, 0, 1), (1, 3, 1), (2, 3, 2), (3, 0, 3), (1, 3, 2), (4, 1, 3)] {
         let mut student = Student { screen, ..RIGHT };
-        student.faces[face].1 = laying;
+        student.faces[face].1 = orientation;
         let grade = student.grade(&photographs);
-        assert_eq!(grade.verdict(), GradeVerdict::CameraAndLookup, "{screen} {face} {laying}");
-        assert_eq!(grade.camera.laying.formulas(), FORMULAS[screen]);
+        assert_eq!(grade.verdict(), GradeVerdict::CameraAndLookup, "{screen} {face} {orientation}");
+        assert_eq!(grade.camera.orientation.formulas(), FORMULAS[screen]);
         row.check(&student, &photographs, &grade);
     }
 }
@@ -80,7 +80,7 @@ fn a_camera_that_explains_as_much_as_a_lookup_is_mentioned() {
             student.faces[random.below(6)].1 = random.below(4);
         }
         let own = student.faces.iter().filter(|face| face.1 != 0).count();
-        // Layings without a swap undo themselves: a face is right if its own fault is the camera's.
+        // Orientations without a swap undo themselves: a face is right if its own fault is the camera's.
         let seen = student.faces.iter().filter(|face| face.1 != student.screen).count();
         let grade = student.grade(&photographs);
         if student.screen != 0 && own <= seen && own < 6 {
@@ -104,7 +104,10 @@ fn a_preset_seen_by_a_wrong_camera_is_named() {
     for screen in [1, 2, 3] {
         let grade = Student { faces: EXERCISE, screen, ..RIGHT }.grade(&photographs);
         let preset = grade.preset.as_ref().unwrap();
-        assert_eq!((&preset.presets[..], preset.camera.laying.formulas()), (&[Preset::Exercise][..], FORMULAS[screen]));
+        assert_eq!(
+            (&preset.presets[..], preset.camera.orientation.formulas()),
+            (&[Preset::Exercise][..], FORMULAS[screen])
+        );
         let named = grade.alternatives.iter().any(|alternative| {
             matches!(alternative, Alternative::Both(camera, faces)
                 if *camera == preset.camera && faces.iter().filter(|face| face.is_wrong()).count() == 5)

@@ -3,13 +3,13 @@
 //! The search goes from what is seen in spite of everything else to what is fine:
 //!
 //! ```text
-//!   laying   which way it is laid, and roughly shifted, by correlation, which hardly sees tones
+//!   orientation   which way it is laid, and roughly shifted, by correlation, which hardly sees tones
 //!   tone     gamma, exposure, channels: a small search, the exposure solved in closed form
 //!   shift    to a fraction of a pixel
 //!   rest     clipped highlights, a region, edges, noise, or all over
 //! ```
 //!
-//! Pictures without detail are laid by their colours. Where no laying correlates, another field of view or factor
+//! Pictures without detail are laid by their colours. Where no orientation correlates, another field of view or factor
 //! width/height is tried, whether a part of the picture fits in place, and whether the outlines do in other tones.
 //!
 //! Each finding is kept only if undoing all the others without it leaves decisively more.

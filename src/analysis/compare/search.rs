@@ -12,7 +12,7 @@ use crate::metrics::Plane;
 use crate::metrics::displayed;
 use crate::picture::Raster;
 
-/// Pictures that correlate less, under the best laying and shift, show different things.
+/// Pictures that correlate less, under the best orientation and shift, show different things.
 const RELATED: f64 = 0.5;
 /// Detail lies no farther from where the small pictures have it, in pixels.
 const DETAIL_REACH: f64 = 4.0;
@@ -157,7 +157,7 @@ fn confirmed(mut undoing: Undoing, mine: &Raster, expected: &Raster) -> (Undoing
 fn finding(part: Part, undoing: &Undoing, evidence: Evidence) -> Finding {
     let Tone { curve, exposure, .. } = undoing.tone;
     match part {
-        Part::Laying => Finding::Laid { operation: inverse(undoing.operation), evidence },
+        Part::Orientation => Finding::Laid { operation: inverse(undoing.operation), evidence },
         Part::Channels => Finding::RedBlueSwapped { evidence },
         Part::Curve => Finding::Encoding { curve, evidence },
         Part::Exposure => {

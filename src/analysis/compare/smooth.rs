@@ -1,5 +1,5 @@
 //! Which way a picture without detail is laid: a gradient, a furnace, directions as colours. Correlation of detail would
-//! see nothing there but what a lossy file left, so the colours themselves are compared, under every laying with the
+//! see nothing there but what a lossy file left, so the colours themselves are compared, under every orientation with the
 //! tone that explains it best.
 
 use super::structure::{self, Match};
@@ -15,10 +15,10 @@ const SIDE: usize = 64;
 const NEAR: f64 = 0.016;
 /// With the tone undone, this much may be left: in codes, and as a share of the variance of the colours.
 const LEFT: (f64, f64) = (0.04, 0.04);
-/// What a laying costs against the one as it is: the residual must be smaller by this factor.
+/// What an orientation costs against the one as it is: the residual must be smaller by this factor.
 const PRICE: f64 = 1.4;
 
-/// The laying whose colours fit, if any does; the shift is none.
+/// The orientation whose colours fit, if any does; the shift is none.
 pub(super) fn matched(mine_codes: &Raster, expected_codes: &Raster) -> Option<Match> {
     let as_it_is = Match { operation: ImageOperation::None, correlation: 1.0, shift: [0, 0] };
     if residual(&pairs(mine_codes, expected_codes, &as_it_is), &Tone::AS_EXPECTED)?.0 <= NEAR {

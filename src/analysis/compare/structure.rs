@@ -1,7 +1,7 @@
 //! Which way a picture is laid, and about how far it is shifted: from what it shows, whatever its tones.
 //!
 //! Both pictures are made small, their lumas freed from slow changes, and compared by normalised cross-correlation under
-//! all layings and shifts. Correlation does not see exposure and hardly sees gamma, so this comes first.
+//! all orientations and shifts. Correlation does not see exposure and hardly sees gamma, so this comes first.
 
 use super::laid::{OPERATIONS, exchanges_sides, laid};
 use super::resized::resized;
@@ -21,7 +21,7 @@ const REACH: i32 = 6;
 /// Detail that deviates by less, a code and a half, may be what a lossy file left.
 const SMOOTH: f64 = 0.006;
 
-/// The best match under one laying.
+/// The best match under one orientation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Match {
     /// The operation that lays mine as the expected one.
@@ -32,7 +32,7 @@ pub(super) struct Match {
     pub shift: [i32; 2],
 }
 
-/// A pair of pictures of display codes, and the matches of mine under every laying that its proportions allow.
+/// A pair of pictures of display codes, and the matches of mine under every orientation that its proportions allow.
 pub(super) fn matches(mine: &Raster, expected: &Raster) -> Vec<Match> {
     let operations = plausible(mine, expected);
     let deciding = thumbnail_size(expected, DECIDING_SIDE);
@@ -52,7 +52,7 @@ pub(super) fn matches(mine: &Raster, expected: &Raster) -> Vec<Match> {
         .collect()
 }
 
-/// The match to believe: as it is, unless another laying fits decisively better.
+/// The match to believe: as it is, unless another orientation fits decisively better.
 pub(super) fn decided(matches: &[Match]) -> Match {
     let as_it_is = matches[0];
     let mut best = as_it_is;
@@ -95,7 +95,7 @@ pub(super) fn pairs(mine_codes: &Raster, expected_codes: &Raster, matched: &Matc
     pairs
 }
 
-/// The layings that give mine the proportions of the expected picture; without quarter turns if none does.
+/// The orientations that give mine the proportions of the expected picture; without quarter turns if none does.
 pub(super) fn plausible(mine: &Raster, expected: &Raster) -> Vec<ImageOperation> {
     let fits = |operation: &ImageOperation| {
         let (width, height) =

@@ -20,7 +20,7 @@ pub(super) struct Undoing {
 /// One of the things that are undone.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Part {
-    Laying,
+    Orientation,
     Channels,
     Curve,
     Exposure,
@@ -38,12 +38,12 @@ pub(super) struct Aligned {
 impl Undoing {
     pub const NOTHING: Self = Self { operation: ImageOperation::None, tone: Tone::AS_EXPECTED, shift: None };
 
-    pub const PARTS: [Part; 5] = [Part::Laying, Part::Channels, Part::Curve, Part::Exposure, Part::Shift];
+    pub const PARTS: [Part; 5] = [Part::Orientation, Part::Channels, Part::Curve, Part::Exposure, Part::Shift];
 
     /// This undoing but for one part.
     pub fn without(mut self, part: Part) -> Self {
         match part {
-            Part::Laying => self.operation = ImageOperation::None,
+            Part::Orientation => self.operation = ImageOperation::None,
             Part::Channels => self.tone.red_blue_swapped = false,
             Part::Curve => self.tone.curve = Curve::AsExpected,
             Part::Exposure => self.tone.exposure = 1.0,

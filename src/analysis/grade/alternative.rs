@@ -2,7 +2,7 @@
 
 use super::explanation::{Evidence, FaceGrade, wrong};
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
-use crate::envmap::{Face, Laying, Preset};
+use crate::envmap::{Face, Orientation, Preset};
 use crate::validate::convention;
 
 /// Another way to explain the same pictures.
@@ -93,7 +93,7 @@ impl Evidence<'_> {
             let table = convention::table(self.lookup, *preset);
             grades.iter().all(|grade| {
                 let image = table.images[grade.face.index()];
-                grade.possible.contains(&Placement { image, laying: table.laying(grade.face) })
+                grade.possible.contains(&Placement { image, orientation: table.orientation(grade.face) })
             })
         };
         Preset::ALL.into_iter().filter(shown).collect()
@@ -102,7 +102,7 @@ impl Evidence<'_> {
     /// True if the shot shows the right picture turned, not mirrored.
     fn is_rolled(&self, grade: &FaceGrade) -> bool {
         let Some(placement) = grade.placement() else { return false };
-        let Laying { swaps, inverts_u, inverts_v } = placement.laying;
+        let Orientation { swaps, inverts_u, inverts_v } = placement.orientation;
         placement.image == grade.expected && swaps == (inverts_u != inverts_v)
     }
 
@@ -110,7 +110,7 @@ impl Evidence<'_> {
     fn shot_of(&self, grade: &FaceGrade) -> Option<Face> {
         let placement = grade.placement()?;
         let screen = |frame: &ShotFrame| on_screen(self.lookup.row(frame.face), frame.right, frame.up);
-        let shown = placement.laying.after(screen(&self.frames[grade.shot.index()]));
+        let shown = placement.orientation.after(screen(&self.frames[grade.shot.index()]));
         let other = self.frames.iter().find(|frame| {
             self.lookup.row(frame.face).image == placement.image && screen(frame) == shown && frame.face != grade.shot
         });

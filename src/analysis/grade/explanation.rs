@@ -3,7 +3,7 @@
 
 use super::misfit::Misfit;
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
-use crate::envmap::{Face, Laying, Lookup};
+use crate::envmap::{Face, Lookup, Orientation};
 
 /// What one shot may show: placements that the pixels cannot tell apart, relative to the lookup's row of its own face.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,7 +19,7 @@ pub struct FaceGrade {
     pub face: Face,
     /// The shot that shows it, by the name of its file.
     pub shot: Face,
-    /// What the code may read, the most plausible first; one if decided, none if the shot fits no laying.
+    /// What the code may read, the most plausible first; one if decided, none if the shot fits no orientation.
     pub possible: Vec<Placement>,
     pub misfit: Option<Misfit>,
     /// The image it should read.
@@ -38,7 +38,7 @@ impl FaceGrade {
 
     /// What the code should read.
     pub fn right(&self) -> Placement {
-        Placement { image: self.expected, laying: Laying::IDENTITY }
+        Placement { image: self.expected, orientation: Orientation::IDENTITY }
     }
 
     /// True if the pixels exclude that the code is right.
@@ -46,17 +46,17 @@ impl FaceGrade {
         !self.possible.is_empty() && !self.possible.contains(&self.right())
     }
 
-    /// How many things are to be changed for it: its image, its laying.
+    /// How many things are to be changed for it: its image, its orientation.
     pub fn changes(&self) -> usize {
         let placement = self.placement().filter(|_| self.is_wrong());
-        placement.map_or(0, |Placement { image, laying }| {
-            usize::from(image != self.expected) + usize::from(laying != Laying::IDENTITY)
+        placement.map_or(0, |Placement { image, orientation }| {
+            usize::from(image != self.expected) + usize::from(orientation != Orientation::IDENTITY)
         })
     }
 
     /// What to compute from the code's own (u, v).
-    pub fn repair(&self) -> Option<Laying> {
-        self.placement().map(|placement| placement.laying.inverse())
+    pub fn repair(&self) -> Option<Orientation> {
+        self.placement().map(|placement| placement.orientation.inverse())
     }
 }
 
@@ -80,14 +80,14 @@ impl Evidence<'_> {
         let (face, seen) = camera.sees(self.lookup, frame);
         let screen = on_screen(self.lookup.row(frame.face), frame.right, frame.up);
         let moved = |placement: &Placement| Placement {
-            laying: placement.laying.after(screen).after(seen.inverse()),
+            orientation: placement.orientation.after(screen).after(seen.inverse()),
             ..*placement
         };
         let expected = self.lookup.row(face).image;
         let mut possible: Vec<Placement> = reading.possible.iter().map(moved).collect();
         let simplicity = |placement: &Placement| {
-            let laying = Laying::ALL.iter().position(|laying| *laying == placement.laying);
-            (placement.image != expected, laying, placement.image)
+            let orientation = Orientation::ALL.iter().position(|orientation| *orientation == placement.orientation);
+            (placement.image != expected, orientation, placement.image)
         };
         possible.sort_by_key(simplicity);
         FaceGrade { face, shot: frame.face, possible, misfit: reading.misfit, expected }
@@ -105,7 +105,7 @@ impl Evidence<'_> {
     /// The simplest camera with a fault under which the fewest faces are wrong, and how many.
     pub fn best_camera(&self) -> Option<(CameraFault, usize)> {
         let simplicity = |camera: &CameraFault| {
-            usize::from(camera.exchanges_axes()) + usize::from(camera.laying != Laying::IDENTITY)
+            usize::from(camera.exchanges_axes()) + usize::from(camera.orientation != Orientation::IDENTITY)
         };
         let cameras = CameraFault::all().into_iter().filter(|camera| *camera != CameraFault::NONE);
         let scored = cameras.map(|camera| (camera, wrong(&self.under(camera))));

@@ -116,7 +116,7 @@ impl Views<'_> {
             let shot = self.shot(index, scale, FINE);
             let screen = self.screens[index];
             let image = &self.images[placement.image.index()];
-            let source = source_cells(placement.laying.after(screen.laying), screen.v_origin, FINE);
+            let source = source_cells(placement.orientation.after(screen.orientation), screen.v_origin, FINE);
             let fitted = Levels::new(&image.reduced(of_image, FINE).values).fitted(&source, &shot);
             mean_square(&fitted, &shot) / (variance(&shot) + DULL)
         };

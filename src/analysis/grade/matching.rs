@@ -7,7 +7,7 @@
 
 use super::placement::{Placement, source_cells};
 use super::tone::Levels;
-use crate::envmap::{Face, Laying, VOrigin};
+use crate::envmap::{Face, Orientation, VOrigin};
 
 /// Deviations that decide. Misfits of neighbouring cells are alike, so many are asked for.
 const DECISIVE_DEVIATIONS: f64 = 12.0;
@@ -31,12 +31,12 @@ pub(super) struct Candidate {
 /// How a face of the lookup stands on the screen.
 #[derive(Clone, Copy)]
 pub(super) struct Screen {
-    pub laying: Laying,
+    pub orientation: Orientation,
     pub v_origin: VOrigin,
 }
 
-/// All ways to explain a shot of `side` x `side` cells, the expected image first, layings in the order of
-/// [`Laying::ALL`].
+/// All ways to explain a shot of `side` x `side` cells, the expected image first, orientations in the order of
+/// [`Orientation::ALL`].
 pub(super) fn candidates(
     images: &ImageLevels,
     expected: Face,
@@ -47,12 +47,13 @@ pub(super) fn candidates(
     let mut order = Face::ALL.to_vec();
     order.sort_by_key(|&image| image != expected);
     let mut candidates = Vec::with_capacity(48);
-    let sources = Laying::ALL.map(|laying| source_cells(laying.after(screen.laying), screen.v_origin, side));
+    let sources =
+        Orientation::ALL.map(|orientation| source_cells(orientation.after(screen.orientation), screen.v_origin, side));
     for image in order {
-        for (laying, source) in Laying::ALL.into_iter().zip(&sources) {
+        for (orientation, source) in Orientation::ALL.into_iter().zip(&sources) {
             let fitted = images.0[image.index()].fitted(source, shot);
             let error = mean_square(&fitted, shot);
-            candidates.push(Candidate { placement: Placement { image, laying }, fitted, error });
+            candidates.push(Candidate { placement: Placement { image, orientation }, fitted, error });
         }
     }
     candidates

@@ -53,7 +53,7 @@ pub enum GradeVerdict {
     Lookup,
     Camera,
     CameraAndLookup,
-    /// A shot fits no laying of any image.
+    /// A shot fits no orientation of any image.
     OutOfRange,
     /// The pixels decide nothing.
     Undecided,
@@ -135,7 +135,9 @@ impl Grader {
         Views {
             images,
             shots,
-            screens: self.frames.map(|frame| Screen { laying: on_screen(row(frame), frame.right, frame.up), v_origin }),
+            screens: self
+                .frames
+                .map(|frame| Screen { orientation: on_screen(row(frame), frame.right, frame.up), v_origin }),
             expected: self.frames.map(|frame| row(frame).image),
         }
     }

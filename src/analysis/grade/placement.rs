@@ -4,12 +4,12 @@
 //!      t = 1  +-------+       a shot: s grows to the camera's right, t upwards, both from 0 to 1
 //!             |       |
 //!             | shot  |       the lookup's row for a face seen by a camera gives (u, v) as functions of (s, t):
-//!             |       |       the laying [`on_screen`]
+//!             |       |       the orientation [`on_screen`]
 //!      t = 0  +-------+
 //!          s = 0    s = 1
 //! ```
 
-use crate::envmap::{Face, FaceLookup, Laying, Lookup, SignedAxis, VOrigin};
+use crate::envmap::{Face, FaceLookup, Lookup, Orientation, SignedAxis, VOrigin};
 
 /// How the camera of a shot should stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -25,18 +25,18 @@ pub struct ShotFrame {
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Placement {
     pub image: Face,
-    pub laying: Laying,
+    pub orientation: Orientation,
 }
 
 /// (u, v) of a row as functions of the place in a picture whose camera has `right` and `up`.
-pub(super) fn on_screen(row: FaceLookup, right: SignedAxis, up: SignedAxis) -> Laying {
+pub(super) fn on_screen(row: FaceLookup, right: SignedAxis, up: SignedAxis) -> Orientation {
     let along_right = |axis: SignedAxis| axis.axis == right.axis;
     let inverts = |axis: SignedAxis| axis != if along_right(axis) { right } else { up };
-    Laying { swaps: !along_right(row.u), inverts_u: inverts(row.u), inverts_v: inverts(row.v) }
+    Orientation { swaps: !along_right(row.u), inverts_u: inverts(row.u), inverts_v: inverts(row.v) }
 }
 
 /// For each cell of a shot, row by row from the top left, the cell of the image it shows; both in `side` x `side` cells.
-pub(super) fn source_cells(on_screen: Laying, v_origin: VOrigin, side: usize) -> Vec<u32> {
+pub(super) fn source_cells(on_screen: Orientation, v_origin: VOrigin, side: usize) -> Vec<u32> {
     let place = |index: usize| (index as f32 + 0.5) / side as f32;
     let cell = |place: f32| ((place * side as f32) as usize).min(side - 1);
     let mut cells = Vec::with_capacity(side * side);
@@ -54,25 +54,26 @@ pub struct CameraFault {
     /// What it takes for +x, +y and +z.
     pub axes: [SignedAxis; 3],
     /// The place in the right picture as a function of the place (s, t) in the shot.
-    pub laying: Laying,
+    pub orientation: Orientation,
 }
 
 impl CameraFault {
     /// A camera that is right.
     pub const NONE: Self =
-        Self { axes: [SignedAxis::POS_X, SignedAxis::POS_Y, SignedAxis::POS_Z], laying: Laying::IDENTITY };
+        Self { axes: [SignedAxis::POS_X, SignedAxis::POS_Y, SignedAxis::POS_Z], orientation: Orientation::IDENTITY };
 
     /// Every camera: pictures laid otherwise first, then axes exchanged, those that keep the handedness first.
     pub(super) fn all() -> Vec<Self> {
         let mut axes: Vec<[SignedAxis; 3]> = signed_permutations();
         axes.sort_by_key(|axes| (*axes != Self::NONE.axes, !keeps_handedness(axes)));
-        let cameras = |axes: [SignedAxis; 3]| Laying::ALL.into_iter().map(move |laying| Self { axes, laying });
+        let cameras =
+            |axes: [SignedAxis; 3]| Orientation::ALL.into_iter().map(move |orientation| Self { axes, orientation });
         axes.into_iter().flat_map(cameras).collect()
     }
 
     /// The cameras that look along the right axes and lay all six pictures alike, the right one first.
     pub(super) fn laid_alike() -> impl Iterator<Item = Self> {
-        Laying::ALL.into_iter().map(|laying| Self { laying, ..Self::NONE })
+        Orientation::ALL.into_iter().map(|orientation| Self { orientation, ..Self::NONE })
     }
 
     pub fn axis(&self, axis: SignedAxis) -> SignedAxis {
@@ -86,10 +87,10 @@ impl CameraFault {
     }
 
     /// The face that the shot of a frame shows, and that face's (u, v) as functions of the place in the shot.
-    pub(super) fn sees(&self, lookup: &Lookup, frame: ShotFrame) -> (Face, Laying) {
+    pub(super) fn sees(&self, lookup: &Lookup, frame: ShotFrame) -> (Face, Orientation) {
         let face = self.axis(frame.face.signed_axis()).face();
         let seen = on_screen(lookup.row(face), self.axis(frame.right), self.axis(frame.up));
-        (face, seen.after(self.laying))
+        (face, seen.after(self.orientation))
     }
 }
 

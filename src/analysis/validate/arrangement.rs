@@ -2,20 +2,20 @@
 
 use super::edge::{Edge, EdgeBorders};
 use super::pair_cost::{PairCosts, UNITS, Units, border_index};
-use crate::envmap::{Face, Laying};
+use crate::envmap::{Face, Orientation};
 
 /// Per face the image it reads and how that is laid, relative to the given lookup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Arrangement {
     pub images: [Face; 6],
-    /// Indices into [`Laying::ALL`].
-    pub layings: [usize; 6],
+    /// Indices into [`Orientation::ALL`].
+    pub orientations: [usize; 6],
 }
 
 impl Arrangement {
     /// What the lookup does now.
     pub fn given(images: [Face; 6]) -> Self {
-        Self { images, layings: [0; 6] }
+        Self { images, orientations: [0; 6] }
     }
 
     /// The face that an image lies on; `None` if it lies on none.
@@ -23,12 +23,12 @@ impl Arrangement {
         Face::ALL.into_iter().find(|face| self.images[face.index()] == image)
     }
 
-    pub fn laying(&self, face: Face) -> Laying {
-        Laying::ALL[self.layings[face.index()]]
+    pub fn orientation(&self, face: Face) -> Orientation {
+        Orientation::ALL[self.orientations[face.index()]]
     }
 
-    pub fn with_laying(mut self, face: Face, laying: usize) -> Self {
-        self.layings[face.index()] = laying;
+    pub fn with_orientation(mut self, face: Face, orientation: usize) -> Self {
+        self.orientations[face.index()] = orientation;
         self
     }
 }
@@ -56,7 +56,7 @@ impl Puzzle {
     pub fn ends(&self, arrangement: &Arrangement, edge: usize) -> ([Face; 2], [super::edge::Border; 2]) {
         let Edge { first, second } = Edge::ALL[edge];
         let faces = [first.index(), second.index()];
-        let borders = self.borders.at(edge, faces.map(|face| arrangement.layings[face]));
+        let borders = self.borders.at(edge, faces.map(|face| arrangement.orientations[face]));
         (faces.map(|face| arrangement.images[face]), borders)
     }
 

@@ -1,4 +1,4 @@
-//! Reading the borders of the six images: the only texels that seams and layings are judged by.
+//! Reading the borders of the six images: the only texels that seams and orientations are judged by.
 //!
 //! ```text
 //!     side ->  0 1 2 3 4 ...            rows parallel to the side, counted inwards:

@@ -12,7 +12,7 @@ use super::seam::{self, Seam};
 use super::sky;
 use super::solve::{Question, Solution, UNRELATED, corrected};
 use crate::envmap::source::Skybox;
-use crate::envmap::{CubeFilter, CubeMap, Face, Laying, LazyImage, Lookup, SignedAxis};
+use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, SignedAxis};
 use crate::error::Result;
 use crate::parallel;
 use crate::picture::{Format, Picture};
@@ -21,9 +21,9 @@ use crate::picture::{Format, Picture};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
-    /// No other laying is decisively better, and the pixels would tell.
+    /// No other orientation is decisively better, and the pixels would tell.
     Fits,
-    /// Another laying fits decisively better, or a face does not belong.
+    /// Another orientation fits decisively better, or a face does not belong.
     Broken,
     /// The pixels cannot tell.
     Undecidable,
@@ -116,7 +116,7 @@ pub struct Fix {
     /// Faces that change.
     pub changes: usize,
     pub convention: Option<Convention>,
-    /// The standard errors by which the next essentially different laying is worse; 0 if none is.
+    /// The standard errors by which the next essentially different orientation is worse; 0 if none is.
     pub margin: f64,
     pub seams_after: Vec<Seam>,
     /// Fixes that are equally good, this one among them.
@@ -130,15 +130,15 @@ pub struct FaceFix {
     /// The image that the face shall read.
     pub image: Face,
     /// (u', v') as functions of the (u, v) that the given lookup computes.
-    pub laying: Laying,
-    /// True if the pixels decide this laying: every other one is decisively worse.
+    pub orientation: Orientation,
+    /// True if the pixels decide this orientation: every other one is decisively worse.
     pub decided: bool,
 }
 
 impl FaceFix {
-    /// True if the face keeps its image and its laying.
+    /// True if the face keeps its image and its orientation.
     pub fn is_unchanged(&self, given: &Lookup) -> bool {
-        self.image == given.row(self.face).image && self.laying == Laying::IDENTITY
+        self.image == given.row(self.face).image && self.orientation == Orientation::IDENTITY
     }
 }
 
@@ -149,8 +149,12 @@ impl Fix {
     }
 
     fn arrangement(&self) -> Arrangement {
-        let index = |laying: Laying| Laying::ALL.iter().position(|&known| known == laying).unwrap_or(0);
-        Arrangement { images: self.faces.map(|face| face.image), layings: self.faces.map(|face| index(face.laying)) }
+        let index =
+            |orientation: Orientation| Orientation::ALL.iter().position(|&known| known == orientation).unwrap_or(0);
+        Arrangement {
+            images: self.faces.map(|face| face.image),
+            orientations: self.faces.map(|face| index(face.orientation)),
+        }
     }
 }
 
@@ -197,12 +201,12 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
     let faces = Face::ALL.map(|face| FaceFix {
         face,
         image: found.images[face.index()],
-        laying: found.laying(face),
+        orientation: found.orientation(face),
         decided: solution.is_decided(face),
     });
     let changed = |face: &Face| {
         let face = face.index();
-        (found.images[face], found.layings[face]) != (given.images[face], given.layings[face])
+        (found.images[face], found.orientations[face]) != (given.images[face], given.orientations[face])
     };
     Fix {
         faces,
@@ -215,7 +219,7 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
 }
 
 /// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels of at least half of
-/// the faces tell most layings from the one found, what is found looks like a map at all, and no face gapes.
+/// the faces tell most orientations from the one found, what is found looks like a map at all, and no face gapes.
 fn verdict(puzzle: &Puzzle, borders: &Borders, solution: &Solution, given: &Arrangement) -> Verdict {
     let found = &solution.arrangement;
     if found != given || solution.foreign.is_some() {

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::arrangement::Arrangement;
-use super::symmetry::laying_between;
+use super::symmetry::orientation_between;
 use crate::envmap::{Face, Lookup, Preset};
 
 /// A convention that a map was made for, where the given lookup reads it otherwise.
@@ -60,8 +60,8 @@ impl Convention {
         let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
         let read = |faces: [Face; 6]| faces.map(|face| lookup.row(face).image);
         match self {
-            Self::BottomUp => Arrangement { layings: [2; 6], ..given },
-            Self::Mirrored => Arrangement { layings: [1; 6], ..given },
+            Self::BottomUp => Arrangement { orientations: [2; 6], ..given },
+            Self::Mirrored => Arrangement { orientations: [1; 6], ..given },
             Self::OpenExr => Arrangement { images: read([PosX, NegX, PosY, NegY, NegZ, PosZ]), ..given },
             Self::Quake => Arrangement { images: read([PosZ, NegZ, PosY, NegY, PosX, NegX]), ..given },
             Self::Opengl => table(lookup, Preset::Opengl),
@@ -81,7 +81,7 @@ pub(crate) fn table(lookup: &Lookup, preset: Preset) -> Arrangement {
         let mut row = wanted.row(face);
         // Counted from the other end, v grows the other way.
         row.v = if turned_over { -row.v } else { row.v };
-        arrangement.layings[face.index()] = laying_between(lookup.row(face), row);
+        arrangement.orientations[face.index()] = orientation_between(lookup.row(face), row);
     }
     arrangement
 }

@@ -4,7 +4,7 @@ use super::arrangement::Arrangement;
 use super::convention::Convention;
 use super::search::{Freedom, cheapest};
 use super::solve::{Question, Solution};
-use crate::envmap::{Face, Laying};
+use crate::envmap::{Face, Orientation};
 use crate::error::Result;
 
 impl Question<'_> {
@@ -30,17 +30,18 @@ impl Question<'_> {
         }
         let (found, given) = (solution.arrangement, self.given());
         for face in 0..6 {
-            let relaid = found.images[face] == given.images[face] && found.layings[face] != given.layings[face];
+            let relaid =
+                found.images[face] == given.images[face] && found.orientations[face] != given.orientations[face];
             if relaid && !solution.is_decided(Face::ALL[face]) {
-                solution.arrangement.layings[face] = given.layings[face];
+                solution.arrangement.orientations[face] = given.orientations[face];
             }
         }
         solution.unsettled = solution.arrangement == given && found != given;
         solution
     }
 
-    /// By face the number of other layings that are decisively worse or show the same picture, and the standard errors by which the best of
-    /// all those is worse. The seams of images that do not belong tell nothing, in whatever laying.
+    /// By face the number of other orientations that are decisively worse or show the same picture, and the standard errors by which the best of
+    /// all those is worse. The seams of images that do not belong tell nothing, in whatever orientation.
     pub fn alternatives(&self, found: &Arrangement, strangers: &[Face]) -> Result<([usize; 6], f64)> {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
@@ -59,12 +60,15 @@ impl Question<'_> {
         Ok((excluded, if margin.is_finite() { margin } else { 0.0 }))
     }
 
-    /// The cheapest arrangements of the same images with another laying of the face.
+    /// The cheapest arrangements of the same images with another orientation of the face.
     fn others(&self, found: &Arrangement, face: Face) -> Vec<Arrangement> {
-        let own = found.layings[face.index()];
+        let own = found.orientations[face.index()];
         let base = Arrangement::given(found.images);
-        let fixed = |laying| Freedom { fixed: Some((face, laying)), ..Freedom::TRUSTED };
-        (0..8).filter(|&laying| laying != own).map(|laying| cheapest(self.puzzle, &base, fixed(laying))).collect()
+        let fixed = |orientation| Freedom { fixed: Some((face, orientation)), ..Freedom::TRUSTED };
+        (0..8)
+            .filter(|&orientation| orientation != own)
+            .map(|orientation| cheapest(self.puzzle, &base, fixed(orientation)))
+            .collect()
     }
 
     /// True if the picture of a face looks the same in both, because it is symmetric. One flat colour does
@@ -79,10 +83,11 @@ impl Question<'_> {
             return Ok(false);
         }
         let size = picture.width();
-        let place =
-            |laying: Laying, x: usize, y: usize| laying.image_operation(self.lookup.v_origin()).source(x, y, size);
+        let place = |orientation: Orientation, x: usize, y: usize| {
+            orientation.image_operation(self.lookup.v_origin()).source(x, y, size)
+        };
         let same = |(x, y): (usize, usize)| {
-            let [one, other] = [one, other].map(|arrangement| place(arrangement.laying(face), x, y));
+            let [one, other] = [one, other].map(|arrangement| place(arrangement.orientation(face), x, y));
             picture.texel(one.0, one.1) == picture.texel(other.0, other.1)
         };
         Ok((0..size).flat_map(|y| (0..size).map(move |x| (x, y))).all(same))
@@ -90,7 +95,7 @@ impl Question<'_> {
 }
 
 impl Solution {
-    /// True if the pixels tell this laying of a face from all others that look different.
+    /// True if the pixels tell this orientation of a face from all others that look different.
     pub fn is_decided(&self, face: Face) -> bool {
         self.excluded[face.index()] == 7
     }
@@ -98,6 +103,6 @@ impl Solution {
 
 /// The seven arrangements that lay one face otherwise and leave the others as they are.
 fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
-    let others = (0..8).filter(|&laying| laying != found.layings[face.index()]);
-    others.map(|laying| found.with_laying(face, laying)).collect()
+    let others = (0..8).filter(|&orientation| orientation != found.orientations[face.index()]);
+    others.map(|orientation| found.with_orientation(face, orientation)).collect()
 }

@@ -9,7 +9,7 @@
 //!            v = 0
 //! ```
 
-use crate::envmap::{Face, FaceLookup, Laying, Lookup};
+use crate::envmap::{Face, FaceLookup, Lookup, Orientation};
 
 /// An edge of the cube: the two faces that meet there, in the order of [`Face::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -107,36 +107,36 @@ impl Border {
         }
     }
 
-    /// The same edge on the picture when the face reads it at `laying(u, v)`.
-    pub fn laid(self, laying: Laying) -> Self {
+    /// The same edge on the picture when the face reads it at `orientation(u, v)`.
+    pub fn laid(self, orientation: Orientation) -> Self {
         let along = if self.reversed { 0.75 } else { 0.25 };
         let (u, v) = self.side.place(along, 0.0);
-        let (u, v) = laying.apply(u, v);
+        let (u, v) = orientation.apply(u, v);
         let ends = [(u == 0.0, Side::Left, v), (u == 1.0, Side::Right, v), (v == 0.0, Side::Zero, u)];
         let (_, side, along) = ends.into_iter().find(|end| end.0).unwrap_or((true, Side::One, u));
         Self { side, reversed: along > 0.5 }
     }
 }
 
-/// The borders that meet at each edge under a lookup, for every laying of either face.
+/// The borders that meet at each edge under a lookup, for every orientation of either face.
 #[derive(Debug, Clone)]
 pub struct EdgeBorders {
-    /// By edge, end (first, second face) and index of the laying in [`Laying::ALL`].
+    /// By edge, end (first, second face) and index of the orientation in [`Orientation::ALL`].
     borders: [[[Border; 8]; 2]; 12],
 }
 
 impl EdgeBorders {
     pub fn new(lookup: &Lookup) -> Self {
         let laid = |face: Face, neighbour: Face| {
-            Laying::ALL.map(|laying| Border::of_face(lookup.row(face), face, neighbour).laid(laying))
+            Orientation::ALL.map(|orientation| Border::of_face(lookup.row(face), face, neighbour).laid(orientation))
         };
         let borders = Edge::ALL.map(|Edge { first, second }| [laid(first, second), laid(second, first)]);
         Self { borders }
     }
 
-    /// The borders of both faces at an edge, each under the laying of that index.
-    pub fn at(&self, edge: usize, layings: [usize; 2]) -> [Border; 2] {
-        [self.borders[edge][0][layings[0]], self.borders[edge][1][layings[1]]]
+    /// The borders of both faces at an edge, each under the orientation of that index.
+    pub fn at(&self, edge: usize, orientations: [usize; 2]) -> [Border; 2] {
+        [self.borders[edge][0][orientations[0]], self.borders[edge][1][orientations[1]]]
     }
 }
 
@@ -174,11 +174,11 @@ mod tests {
 
     #[test]
     fn a_laid_border_is_the_border_of_the_laid_row() {
-        for laying in Laying::ALL {
+        for orientation in Orientation::ALL {
             for edge in Edge::ALL {
                 let row = Preset::Course.lookup().row(edge.first);
-                let laid = Border::of_face(row, edge.first, edge.second).laid(laying);
-                assert_eq!(laid, Border::of_face(laying.of_row(row), edge.first, edge.second), "{laying:?}");
+                let laid = Border::of_face(row, edge.first, edge.second).laid(orientation);
+                assert_eq!(laid, Border::of_face(orientation.of_row(row), edge.first, edge.second), "{orientation:?}");
             }
         }
     }

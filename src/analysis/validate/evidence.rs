@@ -10,7 +10,7 @@ const IMPROVEMENT: f64 = 0.12;
 const FEW_STANDARD_ERRORS: f64 = 2.5;
 const NEARLY_ALL: f64 = 0.5;
 
-/// In a plain sky only a few coarse coefficients tell one laying from another: those that differ strongly must
+/// In a plain sky only a few coarse coefficients tell one orientation from another: those that differ strongly must
 /// agree. Least logarithm of the likelihood, least count, and largest part of losses.
 const STRONG_GAIN: f64 = 15.0;
 const STRONG_COUNT: usize = 6;
@@ -19,7 +19,7 @@ const STRONG_LOSS: f64 = 0.12;
 /// Coarse ground under strong compression: neither the costs nor the patterns along the borders decide alone, but both point
 /// the same way. Logarithms of likelihood of the two together: of n standard errors n^2 / 2, and the agreement. Each
 /// must tell something. A clear sky whose turned faces were stored at JPEG quality 50 reaches 0.9 standard errors for a wrong
-/// laying by chance, so the least number of them protects from little: what protects is the agreement, which counts only
+/// orientation by chance, so the least number of them protects from little: what protects is the agreement, which counts only
 /// what two patterns do not have in common ([`super::agreement`]), and the sum of both.
 const TOGETHER: f64 = 5.5;
 const SOME_AGREEMENT: f64 = 3.0;

@@ -46,7 +46,7 @@ const ANOTHER_PATTERN: f64 = 30.0;
 /// differ: a grey face among coloured ones, a face in a frame. Measured: strangers reach 5.3, grey faces 32.
 const KINDRED: f64 = 10.0;
 
-/// The face that fits nothing, in any laying, while the others fit as `arrangement` has them. The image of that face is
+/// The face that fits nothing, in any orientation, while the others fit as `arrangement` has them. The image of that face is
 /// left as it is given.
 pub fn find(
     map: &CubeMap,
@@ -82,11 +82,11 @@ pub fn find(
         Reason::Flat => mean_step(puzzle, images, laid, face) >= STEP_TO_FLAT,
         Reason::CopyOf(_) => true,
     };
-    Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_laying(face, 0))))
+    Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_orientation(face, 0))))
 }
 
 /// True if at least three of a face's seams go as well with most other borders, are seen, and neither their patterns nor
-/// those in any other laying say that it belongs here all the same: it may be of another scene. So may a face beside it
+/// those in any other orientation say that it belongs here all the same: it may be of another scene. So may a face beside it
 /// whose seam with it closes: then nobody can say which. A face in grey or exposed otherwise keeps its patterns.
 pub fn gapes(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
@@ -147,7 +147,7 @@ fn copied(
             worst = Some((gaping, Foreign { face, reason: Reason::CopyOf(other) }));
         }
     }
-    Ok(worst.map(|(_, foreign)| (foreign, arrangement.with_laying(foreign.face, 0))))
+    Ok(worst.map(|(_, foreign)| (foreign, arrangement.with_orientation(foreign.face, 0))))
 }
 
 /// The mean score of the seams of a face but for the one towards another: a copy beside its original may close that one.
@@ -167,7 +167,7 @@ fn pattern_cost(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
         / 4.0
 }
 
-/// How far the brightness along the borders of a face agrees with that along its neighbours', in the laying that agrees most:
+/// How far the brightness along the borders of a face agrees with that along its neighbours', in the orientation that agrees most:
 /// see [`super::agreement`].
 fn agreement(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
     let along = |laid: &Arrangement, edge: usize| {
@@ -176,10 +176,10 @@ fn agreement(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
     };
     let touching = || (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
     let all = |laid: Arrangement| touching().map(|edge| along(&laid, edge)).sum::<f64>();
-    (0..8).map(|laying| all(arrangement.with_laying(face, laying))).fold(f64::NEG_INFINITY, f64::max)
+    (0..8).map(|orientation| all(arrangement.with_orientation(face, orientation))).fold(f64::NEG_INFINITY, f64::max)
 }
 
-/// The mean fit of the seams of a face, in its best laying, but for the one towards `other`.
+/// The mean fit of the seams of a face, in its best orientation, but for the one towards `other`.
 fn fit_without(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, other: Option<Face>) -> f64 {
     let counts = |&edge: &usize| {
         let edge = Edge::ALL[edge];
@@ -187,14 +187,14 @@ fn fit_without(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, other: Op
     };
     let edges: Vec<usize> = (0..12).filter(counts).collect();
     let fit = |laid: &Arrangement| edges.iter().map(|&edge| puzzle.fit(laid, edge)).sum::<f64>() / edges.len() as f64;
-    (0..8).map(|laying| fit(&arrangement.with_laying(face, laying))).fold(f64::INFINITY, f64::min)
+    (0..8).map(|orientation| fit(&arrangement.with_orientation(face, orientation))).fold(f64::INFINITY, f64::min)
 }
 
-/// The arrangement with the cheapest laying of one face, and the mean fit of that face's seams.
+/// The arrangement with the cheapest orientation of one face, and the mean fit of that face's seams.
 fn best_laid(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> (Arrangement, f64) {
-    let layings = (0..8).map(|laying| arrangement.with_laying(face, laying));
-    let fits = layings.map(|laid| (laid, mean_fit(puzzle, &laid, face, true)));
-    fits.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are eight layings")
+    let orientations = (0..8).map(|orientation| arrangement.with_orientation(face, orientation));
+    let fits = orientations.map(|laid| (laid, mean_fit(puzzle, &laid, face, true)));
+    fits.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are eight orientations")
 }
 
 /// The mean fit of the seams that touch the face, or of those that do not.

@@ -2,7 +2,7 @@
 //! change that makes them fit.
 //!
 //! 1. [`border`] reads four rows of texels along each side of each image, two deeper ones and, of JPEG files, the two at the
-//!    first block boundary. Seams and layings are judged by nothing else. Whole pictures are read to see whether two are the
+//!    first block boundary. Seams and orientations are judged by nothing else. Whole pictures are read to see whether two are the
 //!    same ([`foreign`]), whether one is symmetric ([`decided`]), and, on a grid, where the sky is ([`sky`]).
 //! 2. [`pair_cost`] says what it costs to let one border continue another, for all pairs, once.
 //!    [`agreement`] says the same of the patterns along them, by rank: robust where compression hides the rest.

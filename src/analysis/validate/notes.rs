@@ -195,7 +195,7 @@ impl fmt::Display for Note {
             }
             Self::Flat { image } => {
                 let name = image.name();
-                write!(formatter, "{name} is one flat colour along its borders: it looks the same in any laying")
+                write!(formatter, "{name} is one flat colour along its borders: it looks the same in any orientation")
             }
             Self::Undecided { faces } => {
                 write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))
@@ -236,7 +236,7 @@ fn why_foreign(reason: Reason) -> String {
     match reason {
         Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
         Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),
-        Reason::AnotherScene => "its borders fit nothing in any laying: a picture of something else".to_owned(),
+        Reason::AnotherScene => "its borders fit nothing in any orientation: a picture of something else".to_owned(),
     }
 }
 

@@ -1,7 +1,7 @@
 //! The exact search for the cheapest arrangement: branch and bound over the faces in order.
 //!
 //! An edge is paid for when the second of its faces is laid. What is still to pay is at least, for every edge not paid
-//! for, the cheapest pair of borders that could meet there; with that bound most of the 8^6 layings are never
+//! for, the cheapest pair of borders that could meet there; with that bound most of the 8^6 orientations are never
 //! visited, and of the 6! 8^6 arrangements a few thousand.
 
 use super::arrangement::{Arrangement, Puzzle};
@@ -14,7 +14,7 @@ pub struct Freedom {
     /// Images may change places; the cheapest is then one of 48 that cost the same, and the one found leaves the image
     /// of +X as it is.
     pub any_order: bool,
-    /// A face whose laying is prescribed.
+    /// A face whose orientation is prescribed.
     pub fixed: Option<(Face, usize)>,
 }
 
@@ -23,7 +23,7 @@ impl Freedom {
     pub const ANY_ORDER: Self = Self { any_order: true, fixed: None };
 }
 
-/// The cheapest arrangement; of several the first in the order of faces and layings, so the given one if it is among them.
+/// The cheapest arrangement; of several the first in the order of faces and orientations, so the given one if it is among them.
 pub fn cheapest(puzzle: &Puzzle, given: &Arrangement, freedom: Freedom) -> Arrangement {
     let mut search = Search {
         puzzle,
@@ -67,9 +67,9 @@ impl Search<'_> {
         for source in sources.filter(|&source| !self.used[source]).collect::<Vec<_>>() {
             self.used[source] = true;
             self.current.images[face] = self.sources[source];
-            for laying in (0..8).filter(|&laying| !(pinned && laying > 0)) {
-                if self.allows(face, laying) {
-                    self.current.layings[face] = laying;
+            for orientation in (0..8).filter(|&orientation| !(pinned && orientation > 0)) {
+                if self.allows(face, orientation) {
+                    self.current.orientations[face] = orientation;
                     let paid: f64 =
                         self.edges[face].iter().map(|&edge| self.puzzle.edge_cost(&self.current, edge)).sum();
                     // Costs that differ by rounding alone count as equal.
@@ -82,8 +82,8 @@ impl Search<'_> {
         }
     }
 
-    fn allows(&self, face: usize, laying: usize) -> bool {
-        self.freedom.fixed.is_none_or(|(fixed, prescribed)| fixed.index() != face || prescribed == laying)
+    fn allows(&self, face: usize, orientation: usize) -> bool {
+        self.freedom.fixed.is_none_or(|(fixed, prescribed)| fixed.index() != face || prescribed == orientation)
     }
 }
 
@@ -106,9 +106,9 @@ fn bounds(puzzle: &Puzzle, given: &Arrangement, freedom: Freedom) -> [f64; 7] {
                 return least_between_any(puzzle);
             }
             let mut least = f64::INFINITY;
-            for layings in (0..64).map(|index| [index / 8, index % 8]) {
+            for orientations in (0..64).map(|index| [index / 8, index % 8]) {
                 let images = [given.images[first.index()], given.images[second.index()]];
-                least = least.min(puzzle.costs.total(images, puzzle.borders.at(edge, layings)));
+                least = least.min(puzzle.costs.total(images, puzzle.borders.at(edge, orientations)));
             }
             least
         };
@@ -152,27 +152,27 @@ mod tests {
         (0..12).map(|edge| puzzle.edge_cost(arrangement, edge)).sum()
     }
 
-    fn least_over_layings(puzzle: &Puzzle, images: [Face; 6], faces: std::ops::Range<usize>) -> f64 {
+    fn least_over_orientations(puzzle: &Puzzle, images: [Face; 6], faces: std::ops::Range<usize>) -> f64 {
         let count = 8_usize.pow(faces.len() as u32);
         let mut least = f64::INFINITY;
         for number in 0..count {
-            let mut layings = [0; 6];
+            let mut orientations = [0; 6];
             let mut rest = number;
             for face in faces.clone() {
-                layings[face] = rest % 8;
+                orientations[face] = rest % 8;
                 rest /= 8;
             }
-            least = least.min(cost(puzzle, &Arrangement { images, layings }));
+            least = least.min(cost(puzzle, &Arrangement { images, orientations }));
         }
         least
     }
 
     #[test]
-    fn finds_the_cheapest_of_all_layings() {
+    fn finds_the_cheapest_of_all_orientations() {
         for seed in [1, 2, 3] {
             let puzzle = puzzle(seed);
             let found = cheapest(&puzzle, &Arrangement::given(Face::ALL), Freedom::TRUSTED);
-            assert_eq!(cost(&puzzle, &found), least_over_layings(&puzzle, Face::ALL, 0..6));
+            assert_eq!(cost(&puzzle, &found), least_over_orientations(&puzzle, Face::ALL, 0..6));
         }
     }
 
@@ -186,7 +186,7 @@ mod tests {
         permutations(&mut images, 1, &mut orders);
         assert_eq!(orders.len(), 120);
         for order in orders {
-            least = least.min(least_over_layings(&puzzle, order, 1..6));
+            least = least.min(least_over_orientations(&puzzle, order, 1..6));
         }
         let found = cheapest(&puzzle, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
         assert_eq!(cost(&puzzle, &found), least);
@@ -208,7 +208,7 @@ mod tests {
     fn a_turn_of_the_whole_cube_costs_the_same() {
         let puzzle = puzzle(5);
         let lookup = Preset::Course.lookup();
-        let laid = Arrangement { images: Face::ALL, layings: [0, 3, 5, 7, 1, 2] };
+        let laid = Arrangement { images: Face::ALL, orientations: [0, 3, 5, 7, 1, 2] };
         for symmetry in super::super::symmetry::Symmetry::all() {
             assert_eq!(cost(&puzzle, &symmetry.of(&laid, &lookup)), cost(&puzzle, &laid), "{symmetry:?}");
         }

@@ -18,7 +18,7 @@ use crate::error::Result;
 pub struct Solution {
     pub arrangement: Arrangement,
     pub convention: Option<Convention>,
-    /// By face how many of the seven other layings are decisively worse, whatever the other faces then do, or show the
+    /// By face how many of the seven other orientations are decisively worse, whatever the other faces then do, or show the
     /// same picture.
     pub excluded: [usize; 6],
     /// The standard errors by which the best essentially different arrangement is worse.
@@ -35,15 +35,16 @@ pub struct Solution {
 pub const UNRELATED: f64 = 0.85;
 
 impl Solution {
-    /// Faces of which at least four other layings are decisively worse.
+    /// Faces of which at least four other orientations are decisively worse.
     pub fn telling_faces(&self) -> usize {
         self.excluded.iter().filter(|&&excluded| excluded >= 4).count()
     }
 
     /// True if at least half of the faces tell how they lie, and so do those that change.
     fn tells(&self, given: &Arrangement) -> bool {
-        let relaid =
-            |&face: &usize| self.arrangement.images[face] == given.images[face] && self.arrangement.layings[face] != 0;
+        let relaid = |&face: &usize| {
+            self.arrangement.images[face] == given.images[face] && self.arrangement.orientations[face] != 0
+        };
         self.telling_faces() >= 3 && (0..6).filter(relaid).all(|face| self.excluded[face] >= 3)
     }
 }
@@ -95,7 +96,7 @@ impl Question<'_> {
     }
 
     /// The solution around a face that does not belong. What only the seams of strangers would gain is no ground to change
-    /// anything: the given laying stands where the others do not decide.
+    /// anything: the given orientation stands where the others do not decide.
     fn around(&self, foreign: Foreign, arrangement: &Arrangement) -> Result<Solution> {
         let (map, puzzle) = (self.map, self.puzzle);
         let strangers = foreign::strangers(map, puzzle, self.images, arrangement, foreign.face)?;
@@ -157,12 +158,12 @@ impl Question<'_> {
         Ok(Solution { arrangement, convention, excluded, margin, equivalents, foreign: None, unsettled: false })
     }
 
-    /// By face the layings that are as good as the best one's, itself first.
+    /// By face the orientations that are as good as the best one's, itself first.
     fn ties(&self, best: &Arrangement) -> [Vec<usize>; 6] {
         Face::ALL.map(|face| {
-            let own = best.layings[face.index()];
-            let others = (0..8).filter(|&laying| laying != own);
-            let tied = others.filter(|&laying| self.puzzle.ties(best, &best.with_laying(face, laying)));
+            let own = best.orientations[face.index()];
+            let others = (0..8).filter(|&orientation| orientation != own);
+            let tied = others.filter(|&orientation| self.puzzle.ties(best, &best.with_orientation(face, orientation)));
             std::iter::once(own).chain(tied).collect()
         })
     }
@@ -193,7 +194,7 @@ impl Question<'_> {
         if self.options.names != Names::Auto || any_order || name(&simplest).is_some() || self.changes(&simplest) < 4 {
             return (simplest, name(&simplest));
         }
-        // Names are trusted, but laying most faces anew is a poor explanation where a convention, or files that changed
+        // Names are trusted, but turning most faces is a poor explanation where a convention, or files that changed
         // places and are otherwise as they were, explain the same cube.
         let laid = self.changes(&simplest);
         let simpler = |arrangement: &Arrangement| match name(arrangement) {
@@ -221,7 +222,7 @@ impl Question<'_> {
     fn changes(&self, arrangement: &Arrangement) -> usize {
         let given = self.given();
         let changed = |&face: &usize| {
-            arrangement.images[face] != given.images[face] || arrangement.layings[face] != given.layings[face]
+            arrangement.images[face] != given.images[face] || arrangement.orientations[face] != given.orientations[face]
         };
         (0..6).filter(changed).count()
     }
@@ -229,7 +230,7 @@ impl Question<'_> {
     /// True if no image is renamed and laid anew, and at most one is laid anew at all.
     fn mostly_renames(&self, arrangement: &Arrangement) -> bool {
         let given = self.given();
-        let laid = |&face: &usize| arrangement.layings[face] != given.layings[face];
+        let laid = |&face: &usize| arrangement.orientations[face] != given.orientations[face];
         let renamed = |face: usize| arrangement.images[face] != given.images[face];
         (0..6).filter(laid).count() <= 1 && !(0..6).filter(laid).any(renamed)
     }
@@ -242,7 +243,7 @@ impl Question<'_> {
         let mut weight = 0;
         for face in Face::ALL {
             let renamed = arrangement.images[face.index()] != given.images[face.index()];
-            let laid = match arrangement.layings[face.index()] {
+            let laid = match arrangement.orientations[face.index()] {
                 0 => 0,
                 1 | 2 => 1,
                 3 => 2,
@@ -269,7 +270,7 @@ fn name(named: &[(Convention, Arrangement)], arrangement: &Arrangement) -> Optio
     named.iter().find(|(_, known)| known == arrangement).map(|&(convention, _)| convention)
 }
 
-/// The combinations of equally good layings, at most a few thousand of them.
+/// The combinations of equally good orientations, at most a few thousand of them.
 fn variants(best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<Arrangement> {
     const MOST: usize = 4096;
     let mut variants = vec![*best];
@@ -277,10 +278,12 @@ fn variants(best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<Arrangement> {
         if variants.len() * ties[face.index()].len() > MOST {
             continue;
         }
-        let layings = &ties[face.index()];
+        let orientations = &ties[face.index()];
         variants = variants
             .iter()
-            .flat_map(|variant| layings.iter().map(move |&laying| variant.with_laying(face, laying)))
+            .flat_map(|variant| {
+                orientations.iter().map(move |&orientation| variant.with_orientation(face, orientation))
+            })
             .collect();
     }
     variants
@@ -290,7 +293,7 @@ fn variants(best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<Arrangement> {
 pub fn corrected(lookup: &Lookup, arrangement: &Arrangement) -> Lookup {
     let rows = Face::ALL.map(|face| FaceLookup {
         image: arrangement.images[face.index()],
-        ..arrangement.laying(face).of_row(lookup.row(face))
+        ..arrangement.orientation(face).of_row(lookup.row(face))
     });
     Lookup::new(rows, lookup.v_origin()).expect("a laid row spans its face")
 }

@@ -1,7 +1,7 @@
 //! The 48 rotations and mirrorings of the cube: ways to lay all six images that close the same seams.
 
 use super::arrangement::Arrangement;
-use crate::envmap::{Face, FaceLookup, Laying, Lookup, SignedAxis};
+use crate::envmap::{Face, FaceLookup, Lookup, Orientation, SignedAxis};
 
 /// A rotation or mirroring: where x, y and z go.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,23 +33,23 @@ impl Symmetry {
     pub fn of(self, arrangement: &Arrangement, lookup: &Lookup) -> Arrangement {
         let mut turned = *arrangement;
         for face in Face::ALL {
-            let row = arrangement.laying(face).of_row(lookup.row(face));
+            let row = arrangement.orientation(face).of_row(lookup.row(face));
             let target = self.face(face);
             let row = FaceLookup { u: self.axis(row.u), v: self.axis(row.v), ..row };
             turned.images[target.index()] = arrangement.images[face.index()];
-            turned.layings[target.index()] = laying_between(lookup.row(target), row);
+            turned.orientations[target.index()] = orientation_between(lookup.row(target), row);
         }
         turned
     }
 }
 
-/// The index of the laying that makes the axes of one row into those of another of the same face.
-pub fn laying_between(from: FaceLookup, to: FaceLookup) -> usize {
-    let leads = |laying: &Laying| {
-        let laid = laying.of_row(from);
+/// The index of the orientation that makes the axes of one row into those of another of the same face.
+pub fn orientation_between(from: FaceLookup, to: FaceLookup) -> usize {
+    let leads = |orientation: &Orientation| {
+        let laid = orientation.of_row(from);
         (laid.u, laid.v) == (to.u, to.v)
     };
-    Laying::ALL.iter().position(leads).expect("the rows span the same face")
+    Orientation::ALL.iter().position(leads).expect("the rows span the same face")
 }
 
 #[cfg(test)]
@@ -75,7 +75,7 @@ mod tests {
         let opengl = Preset::Opengl.lookup();
         let turned = mirror.of(&Arrangement::given(Face::ALL), &opengl);
         let rows = Face::ALL.map(|face| {
-            let row = turned.laying(face).of_row(opengl.row(face));
+            let row = turned.orientation(face).of_row(opengl.row(face));
             FaceLookup { image: turned.images[face.index()], ..row }
         });
         assert_eq!(Lookup::new(rows, opengl.v_origin()).unwrap(), Preset::HumusYUp.lookup());

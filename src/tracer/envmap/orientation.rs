@@ -1,6 +1,6 @@
 //! The eight ways to lay a square picture.
 //!
-//! A laying is named by the texture coordinates it reads, (u', v') as functions of those the lookup computes: one of
+//! An orientation is named by the texture coordinates it reads, (u', v') as functions of those the lookup computes: one of
 //! `u`, `1-u` and one of `v`, `1-v`, in either order. Mending the code computes (u', v') instead of (u, v); mending
 //! the file applies the picture operation of the same effect once.
 
@@ -8,9 +8,9 @@ use super::axis::SignedAxis;
 use super::lookup::{FaceLookup, VOrigin};
 use crate::picture::Picture;
 
-/// One of the eight layings: a symmetry of the square.
+/// One of the eight orientations: a symmetry of the square.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub struct Laying {
+pub struct Orientation {
     /// u' is made of v, and v' of u.
     pub swaps: bool,
     /// u' counts from the other end: `1 - u` or `1 - v`.
@@ -34,7 +34,7 @@ pub enum ImageOperation {
     Transverse,
 }
 
-impl Laying {
+impl Orientation {
     /// The picture as the lookup reads it.
     pub const IDENTITY: Self = Self { swaps: false, inverts_u: false, inverts_v: false };
 
@@ -63,7 +63,7 @@ impl Laying {
         (first[usize::from(self.inverts_u)], second[usize::from(self.inverts_v)])
     }
 
-    /// The laying that does `self` to what `first` yields: `then.after(first).apply(p) = then.apply(first.apply(p))`.
+    /// The orientation that does `self` to what `first` yields: `then.after(first).apply(p) = then.apply(first.apply(p))`.
     pub fn after(self, first: Self) -> Self {
         let (first_u, first_v) =
             if self.swaps { (first.inverts_v, first.inverts_u) } else { (first.inverts_u, first.inverts_v) };
@@ -74,9 +74,9 @@ impl Laying {
         }
     }
 
-    /// The laying that undoes this one.
+    /// The orientation that undoes this one.
     pub fn inverse(self) -> Self {
-        Self::ALL.into_iter().find(|other| other.after(self) == Self::IDENTITY).expect("the layings form a group")
+        Self::ALL.into_iter().find(|other| other.after(self) == Self::IDENTITY).expect("the orientations form a group")
     }
 
     /// The row of a lookup that computes (u', v') where `row` computes (u, v).
@@ -151,12 +151,12 @@ mod tests {
 
     #[test]
     fn composition_is_application_one_after_the_other() {
-        for first in Laying::ALL {
-            for then in Laying::ALL {
+        for first in Orientation::ALL {
+            for then in Orientation::ALL {
                 let (u, v) = first.apply(0.25, 0.625);
                 assert_eq!(then.after(first).apply(0.25, 0.625), then.apply(u, v), "{first:?} {then:?}");
             }
-            assert_eq!(first.inverse().after(first), Laying::IDENTITY);
+            assert_eq!(first.inverse().after(first), Orientation::IDENTITY);
         }
     }
 
@@ -174,15 +174,15 @@ mod tests {
     #[test]
     fn the_operation_on_the_file_does_what_the_code_would() {
         let size = 5;
-        for laying in Laying::ALL {
+        for orientation in Orientation::ALL {
             for v_origin in [VOrigin::Top, VOrigin::Bottom] {
-                let operation = laying.image_operation(v_origin);
+                let operation = orientation.image_operation(v_origin);
                 for (x, y) in (0..size).flat_map(|x| (0..size).map(move |y| (x, y))) {
                     let centre = |index: usize| (index as f32 + 0.5) / size as f32;
                     let row = |v: f32| if v_origin == VOrigin::Top { v } else { 1.0 - v };
-                    let (u, v) = laying.apply(centre(x), row(centre(y)));
+                    let (u, v) = orientation.apply(centre(x), row(centre(y)));
                     let expected = ((u * size as f32) as usize, (row(v) * size as f32) as usize);
-                    assert_eq!(operation.source(x, y, size), expected, "{laying:?} {v_origin:?}");
+                    assert_eq!(operation.source(x, y, size), expected, "{orientation:?} {v_origin:?}");
                 }
             }
         }
@@ -191,7 +191,7 @@ mod tests {
     #[test]
     fn rows_of_a_lookup_compute_the_new_coordinates() {
         let row = FaceLookup { image: super::super::Face::PosX, u: SignedAxis::NEG_Z, v: SignedAxis::NEG_Y };
-        let laid = Laying { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
+        let laid = Orientation { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
         assert_eq!((laid.u, laid.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
     }
 }
