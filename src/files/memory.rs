@@ -45,26 +45,16 @@ const LINE: usize = 64;
 pub fn prefetch<T>(value: &T) {
     let start = std::ptr::from_ref(value).cast::<u8>();
     for offset in (0..size_of::<T>()).step_by(LINE) {
-        prefetch_line(start.wrapping_add(offset));
+        let address = start.wrapping_add(offset);
+        #[cfg(target_arch = "x86_64")]
+        {
+            use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+            // SAFETY: a hint, which reads nothing and changes nothing, whatever the address.
+            unsafe { _mm_prefetch::<_MM_HINT_T0>(address.cast()) };
+        }
+        #[cfg(not(target_arch = "x86_64"))]
+        let _ = address;
     }
-}
-
-/// The same for an element of a slice; nothing is fetched for an index beyond its end.
-#[inline(always)]
-pub fn prefetch_element<T>(slice: &[T], index: usize) {
-    prefetch_line(slice.as_ptr().wrapping_add(index).cast());
-}
-
-#[inline(always)]
-fn prefetch_line(address: *const u8) {
-    #[cfg(target_arch = "x86_64")]
-    {
-        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
-        // SAFETY: a hint, which reads nothing and changes nothing, whatever the address.
-        unsafe { _mm_prefetch::<_MM_HINT_T0>(address.cast()) };
-    }
-    #[cfg(not(target_arch = "x86_64"))]
-    let _ = address;
 }
 
 /// Asks for large pages for an allocation that has room for one. The small page that it starts in is asked for, too: a large

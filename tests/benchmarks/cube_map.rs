@@ -1,4 +1,4 @@
-//! `CubeMap::sample` and `sample_all` in six images of 2048 x 2048 texels on one core, and decoding of six such images on two.
+//! `CubeMap::sample` in six images of 2048 x 2048 texels on one core, and decoding of six such images on two.
 //!
 //! `cargo bench --bench cube_map`
 
@@ -51,10 +51,6 @@ fn lookups(criterion: &mut Criterion) {
         for (order, directions) in [("coherent", coherent()), ("random", scattered())] {
             group.bench_function(format!("{filter:?}, {order}"), |bencher| {
                 bencher.iter(|| directions.iter().fold(Vec3::ZERO, |sum, &direction| sum + map.sample(direction)));
-            });
-            let mut colours = vec![Vec3::ZERO; LOOKUPS];
-            group.bench_function(format!("{filter:?}, {order}, all at once"), |bencher| {
-                bencher.iter(|| map.sample_all(&directions, &mut colours));
             });
         }
     }

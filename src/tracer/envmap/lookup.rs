@@ -15,7 +15,7 @@ use super::axis::SignedAxis;
 use super::face::Face;
 use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
-use crate::picture::{DeferredColour, Picture};
+use crate::picture::Picture;
 
 /// A lookup table: DESIGN's "per face the image it reads, the signed axis of u, the signed axis of v; and once for
 /// the table where v = 0 lies". The tracer, the baker and every check go through it.
@@ -81,21 +81,15 @@ impl ImagePoint {
     /// The colour of the texel this place falls into.
     #[inline]
     pub fn nearest(&self, picture: &Picture) -> Vec3 {
-        self.deferred_nearest(picture).colour()
+        let (x, y) = self.texels(picture);
+        picture.nearest(x, y)
     }
 
-    /// The same, to be read later.
+    /// The picture's colour here, bilinear between texel centres, clamped at the border.
     #[inline(always)]
-    pub(super) fn deferred_nearest<'a>(&self, picture: &'a Picture) -> DeferredColour<'a> {
+    pub fn bilinear(&self, picture: &Picture) -> Vec3 {
         let (x, y) = self.texels(picture);
-        picture.deferred_nearest(x, y)
-    }
-
-    /// The picture's colour here, bilinear between texel centres, clamped at the border; to be read later.
-    #[inline(always)]
-    pub(super) fn deferred_bilinear<'a>(&self, picture: &'a Picture) -> DeferredColour<'a> {
-        let (x, y) = self.texels(picture);
-        picture.deferred_bilinear(x, y)
+        picture.bilinear(x, y)
     }
 }
 
@@ -137,7 +131,13 @@ impl Lookup {
     /// two infinities or zeros.
     #[inline]
     pub fn locate(&self, direction: Vec3) -> FacePoint {
-        self.locate_on(Self::face_towards(direction), direction)
+        let face = Self::face_towards(direction);
+        let components = signed_components(direction);
+        let largest = components[face.axis()].abs();
+        let row = &self.faces[face.index()];
+        let u = components[row.u.code()] / largest;
+        let v = components[row.v.code()] / largest;
+        FacePoint { face, u: unit_interval(u), v: unit_interval(v) }
     }
 
     /// The face that a direction meets.
@@ -145,7 +145,6 @@ impl Lookup {
     pub(super) fn face_towards(direction: Vec3) -> Face {
         let Vec3 { x, y, z } = direction;
         let (along_x, along_y, along_z) = (x.abs(), y.abs(), z.abs());
-        // Neighbouring rays mostly meet the same face: branches that are predicted right cost less than a table.
         if along_x >= along_y && along_x >= along_z {
             if x > 0.0 { Face::PosX } else { Face::NegX }
         } else if along_y >= along_z {
@@ -155,17 +154,6 @@ impl Lookup {
         } else {
             Face::NegZ
         }
-    }
-
-    /// Where the direction meets a face, which must be the one it points to.
-    #[inline(always)]
-    pub(super) fn locate_on(&self, face: Face, direction: Vec3) -> FacePoint {
-        let components = signed_components(direction);
-        let largest = components[face.axis()].abs();
-        let row = &self.faces[face.index()];
-        let u = components[row.u.code()] / largest;
-        let v = components[row.v.code()] / largest;
-        FacePoint { face, u: unit_interval(u), v: unit_interval(v) }
     }
 
     /// The direction through a place on the cube: the inverse of [`Lookup::locate`], from the same table.

@@ -57,7 +57,8 @@ impl Footprint {
     /// of them are 0.
     #[inline(always)]
     pub fn weights(&self) -> [f32; 4] {
-        weights(self.horizontal, self.vertical)
+        let (h, v) = (self.horizontal, self.vertical);
+        [(1.0 - h) * (1.0 - v), h * (1.0 - v), (1.0 - h) * v, h * v]
     }
 
     /// Column, row and weight of the four texels, in the order of [`Footprint::weights`].
@@ -76,42 +77,13 @@ impl Footprint {
     }
 }
 
-/// A [`Footprint`] in few bytes: two neighbouring columns and rows of a picture.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct TexelSquare {
-    /// Number of the top left texel, counted row by row from the top.
-    pub(super) first: usize,
-    horizontal: f32,
-    vertical: f32,
-}
-
-/// What the top left, top right, bottom left and bottom right texels count.
-#[inline(always)]
-fn weights(horizontal: f32, vertical: f32) -> [f32; 4] {
-    let (h, v) = (horizontal, vertical);
-    [(1.0 - h) * (1.0 - v), h * (1.0 - v), (1.0 - h) * v, h * v]
-}
-
-/// The weighted mean of the two texels of the upper and of the lower row.
-#[inline(always)]
-fn blend(weights: [f32; 4], upper: [Vec3; 2], lower: [Vec3; 2]) -> Vec3 {
-    upper[0] * weights[0] + upper[1] * weights[1] + lower[0] * weights[2] + lower[1] * weights[3]
-}
-
-/// The texels before and after a point on one axis of `count` texels, and the share of the second.
+/// The texels before and after a point on one axis of `count` texels, and the share of the second: half a texel from the
+/// far end the last pair serves, with a share of 1.
 #[inline(always)]
 fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
     if count == 1 {
         return ([0, 0], 0.0);
     }
-    let (first, share) = before(position, count);
-    ([first, first + 1], share)
-}
-
-/// The texel before a point on an axis of at least two texels, and the share of the one after it: half a texel from
-/// the far end the last pair serves, with a share of 1.
-#[inline(always)]
-fn before(position: f32, count: usize) -> (usize, f32) {
     debug_assert!((2..1 << 30).contains(&count));
     let last = (count as i32 - 1) as f32;
     let centred = clamp_number(position - 0.5, 0.0, last);
@@ -119,7 +91,8 @@ fn before(position: f32, count: usize) -> (usize, f32) {
     // SAFETY: `clamp_number` yields a number from 0 to last - 1 < 2^30 for any input, NaN included (tested there), so
     // it fits an i32. The checked conversion would cost as much as all the rest of this function.
     let first: i32 = unsafe { within.to_int_unchecked() };
-    (first as usize, centred - first as f32)
+    let first = first as usize;
+    ([first, first + 1], centred - first as f32)
 }
 
 impl Picture {
@@ -141,59 +114,13 @@ impl Picture {
     /// around it and clamped at the border. Texel centres are at half integers. Any `x`, `y` are allowed.
     #[inline(always)]
     pub fn bilinear(&self, x: f32, y: f32) -> Vec3 {
-        self.deferred_bilinear(x, y).colour()
-    }
-
-    /// The square of texels around the point `(x, y)`, as [`Picture::bilinear`] reads it. `None` in a picture one texel
-    /// wide or high.
-    #[inline(always)]
-    pub(super) fn square_around(&self, x: f32, y: f32) -> Option<TexelSquare> {
-        let (width, height) = (self.width(), self.height());
-        if width < 2 || height < 2 {
-            return None;
-        }
-        let (column, horizontal) = before(x, width);
-        let (row, vertical) = before(y, height);
-        Some(TexelSquare { first: row * width + column, horizontal, vertical })
-    }
-
-    /// The linear colour in a square of texels.
-    #[inline(always)]
-    pub(super) fn blended(&self, square: &TexelSquare) -> Vec3 {
-        let weights = weights(square.horizontal, square.vertical);
-        // Left and right texel lie side by side in memory: one bounds check a row.
-        let upper = square.first;
-        let lower = upper + self.width();
-        match self.texels() {
-            Texels::Srgb8(bytes) => blend(weights, decoded_pair(bytes, upper), decoded_pair(bytes, lower)),
-            Texels::Linear(colours) => blend(weights, pair(colours, upper), pair(colours, lower)),
-        }
-    }
-
-    /// A picture one texel wide or high: the texels of a pair are one and the same.
-    #[cold]
-    #[inline(never)]
-    pub(super) fn bilinear_in_one_line(&self, x: f32, y: f32) -> Vec3 {
-        let footprint = Footprint::new(x, y, self.width(), self.height());
-        footprint.interpolate(|column, row| self.texel(column, row))
+        self.interpolated(&Footprint::new(x, y, self.width(), self.height()))
     }
 
     /// The linear colour of the texel that the point `(x, y)` lies in, clamped at the border; NaN counts as 0.
     #[inline]
     pub fn nearest(&self, x: f32, y: f32) -> Vec3 {
-        self.deferred_nearest(x, y).colour()
+        let index = |position: f32, count: usize| (position as i32).clamp(0, count as i32 - 1) as usize;
+        self.texel(index(x, self.width()), index(y, self.height()))
     }
-}
-
-/// The linear colours of the texel at `index` and of the one after it.
-#[inline(always)]
-fn decoded_pair(bytes: &[u8], index: usize) -> [Vec3; 2] {
-    let codes: &[u8; 6] = bytes[3 * index..].first_chunk().expect("the pair lies in the picture");
-    [decode_srgb8([codes[0], codes[1], codes[2]]), decode_srgb8([codes[3], codes[4], codes[5]])]
-}
-
-#[inline(always)]
-fn pair(colours: &[Vec3], index: usize) -> [Vec3; 2] {
-    let colours = &colours[index..index + 2];
-    [colours[0], colours[1]]
 }

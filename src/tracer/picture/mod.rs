@@ -2,7 +2,6 @@
 
 mod bilinear;
 mod decode;
-mod deferred;
 mod display;
 mod encode;
 mod lay;
@@ -12,9 +11,8 @@ mod resize;
 mod texels;
 mod texture;
 
-pub use bilinear::{Footprint, TexelSquare};
+pub use bilinear::Footprint;
 pub use decode::{decode, read, read_file_header, read_header};
-pub use deferred::DeferredColour;
 pub use display::{display_bytes, without_opacity};
 pub use encode::{Extras, SideLayer, WriteOptions, encode, write, write_with};
 pub use raster::Raster;

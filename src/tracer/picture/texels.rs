@@ -3,7 +3,6 @@
 use super::{Header, Raster};
 use crate::colour::{SRGB8_TO_LINEAR, decode_srgb8};
 use crate::math::Vec3;
-use crate::memory::prefetch_element;
 
 /// A decoded picture. 8-bit files keep their bytes, a quarter of the memory of floats; they are decoded to linear
 /// light by table, once, wherever a texel is read. All other files are linear floats.
@@ -52,24 +51,10 @@ impl Picture {
     /// The linear colour of the texel in column `x` and row `y`, counted from the top left.
     #[inline]
     pub fn texel(&self, x: usize, y: usize) -> Vec3 {
-        self.texel_at(y * self.header.width + x)
-    }
-
-    /// The linear colour of a texel by its number, counted row by row from the top.
-    #[inline]
-    pub(super) fn texel_at(&self, index: usize) -> Vec3 {
+        let index = y * self.header.width + x;
         match &self.texels {
             Texels::Srgb8(bytes) => decode_srgb8([bytes[3 * index], bytes[3 * index + 1], bytes[3 * index + 2]]),
             Texels::Linear(colours) => colours[index],
-        }
-    }
-
-    /// Tells the processor that a texel will be read soon.
-    #[inline(always)]
-    pub(super) fn prefetch(&self, index: usize) {
-        match &self.texels {
-            Texels::Srgb8(bytes) => prefetch_element(bytes, 3 * index),
-            Texels::Linear(colours) => prefetch_element(colours, index),
         }
     }
 

@@ -16,12 +16,10 @@ impl AxisShot {
         let [forward, up, right] = [self.direction.signed_axis(), self.up, self.right()].map(SignedAxis::direction);
         let offset = |index: usize| (2 * index + 1) as f32 / side as f32 - 1.0;
         let mut seen = Raster::filled(side, side, Vec3::ZERO);
-        let mut directions = vec![Vec3::ZERO; side];
         for (y, row) in seen.pixels_mut().chunks_mut(side).enumerate() {
-            for (x, direction) in directions.iter_mut().enumerate() {
-                *direction = forward + right * offset(x) - up * offset(y);
+            for (x, colour) in row.iter_mut().enumerate() {
+                *colour = map.sample(forward + right * offset(x) - up * offset(y));
             }
-            map.sample_all(&directions, row);
         }
         seen.reduced(samples)
     }
