@@ -3,18 +3,18 @@
 use crate::bvh::{FloatBox, Hierarchy, Visit};
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Side, SurfaceId};
-use crate::shapes::{Balls, Hit, Outlook, Primitive, Surface};
+use crate::shapes::{Balls, Hit, Primitive, Surface, ViewCones};
 
 /// No shape has this number.
 const NONE: u32 = u32::MAX;
 
-/// The shapes of a scene. A handful is tried one after the other; more get a hierarchy of boxes.
+/// The shapes of a scene. A few are tried one after the other; more get a hierarchy of boxes.
 #[derive(Debug)]
 pub struct Aggregate {
     primitives: Vec<Primitive>,
-    /// Round spheres outside of a hierarchy, tried four at once.
+    /// Round spheres outside of the hierarchy, tried four at once.
     balls: Vec<Balls>,
-    /// Shapes tried one by one: without a hierarchy all others but meshes, otherwise those without end.
+    /// Other shapes outside of the hierarchy but meshes, tried one by one.
     listed: Vec<u32>,
     /// Meshes tried one by one.
     meshes: Vec<u32>,
@@ -30,35 +30,46 @@ struct BoxedShapes {
 }
 
 impl Aggregate {
-    /// Up to this many bounded shapes are tried one by one: below it the hierarchy costs more than it saves
-    /// (measured by the benchmark `scenes`).
-    pub const HANDFUL: usize = 4;
+    /// Up to this many flat shapes and round spheres are tried one by one. Below it a hierarchy over them costs more than it
+    /// saves: 1.6 times for 8 spheres in a Whitted scene, 1.2 times in the room of lesson 08; at 24 flat shapes it pays.
+    pub const MOST_SIMPLE: usize = 12;
 
-    /// Builds what the count of shapes asks for.
+    /// The same for boxes, ellipsoids and meshes: over two boxes a hierarchy saves a fifth.
+    pub const MOST_OTHERS: usize = 1;
+
+    /// Builds what the number of shapes asks for.
     pub fn new(primitives: Vec<Primitive>) -> Self {
-        let numbers = || 0..primitives.len() as u32;
         let bounds: Vec<_> = primitives.iter().map(Primitive::bounds).collect();
-        let bounded: Vec<u32> = numbers().filter(|&shape| bounds[shape as usize].is_some()).collect();
-        if bounded.len() <= Self::HANDFUL {
-            return Self::without_hierarchy(primitives);
-        }
-        let boxes: Vec<FloatBox> = bounded
-            .iter()
-            .filter_map(|&shape| bounds[shape as usize])
-            .map(|bounds| FloatBox::containing(&bounds))
-            .collect();
-        let listed = numbers().filter(|&shape| bounds[shape as usize].is_none()).collect();
-        let hierarchy = Some(BoxedShapes { hierarchy: Hierarchy::build(&boxes), shapes: bounded });
-        Self { primitives, balls: Vec::new(), listed, meshes: Vec::new(), hierarchy }
+        let bounded = || primitives.iter().zip(&bounds).filter(|(_, bounds)| bounds.is_some());
+        let simple = bounded().filter(|(primitive, _)| primitive.is_simple()).count();
+        let others = bounded().count() - simple;
+        let is_boxed = |shape: u32| {
+            let many = match primitives[shape as usize].is_simple() {
+                true => simple > Self::MOST_SIMPLE,
+                false => others > Self::MOST_OTHERS,
+            };
+            many && bounds[shape as usize].is_some()
+        };
+        let (boxed, listed): (Vec<u32>, Vec<u32>) = (0..primitives.len() as u32).partition(|&shape| is_boxed(shape));
+        let boxes = boxed.iter().filter_map(|&shape| bounds[shape as usize]);
+        let boxes: Vec<FloatBox> = boxes.map(|bounds| FloatBox::containing(&bounds)).collect();
+        let hierarchy = (!boxed.is_empty()).then(|| BoxedShapes { hierarchy: Hierarchy::build(&boxes), shapes: boxed });
+        Self { hierarchy, ..Self::listing(primitives, listed) }
     }
 
     /// Tries all shapes one after the other, round spheres four at once.
     pub fn without_hierarchy(primitives: Vec<Primitive>) -> Self {
-        let numbers = 0..primitives.len() as u32;
+        let all = (0..primitives.len() as u32).collect();
+        Self::listing(primitives, all)
+    }
+
+    /// Tries the shapes of the given numbers one after the other, and no others.
+    fn listing(primitives: Vec<Primitive>, numbers: Vec<u32>) -> Self {
         let ball = |shape: u32| primitives[shape as usize].as_ball().map(|(centre, radius)| (shape, centre, radius));
-        let balls = numbers.clone().filter_map(ball).collect::<Vec<_>>().chunks(Balls::MOST).map(Balls::new).collect();
+        let balls = numbers.iter().filter_map(|&shape| ball(shape)).collect::<Vec<_>>();
+        let balls = balls.chunks(Balls::MOST).map(Balls::new).collect();
         let is_mesh = |shape: &u32| primitives[*shape as usize].is_mesh();
-        let (meshes, listed) = numbers.filter(|&shape| ball(shape).is_none()).partition(is_mesh);
+        let (meshes, listed) = numbers.into_iter().filter(|&shape| ball(shape).is_none()).partition(is_mesh);
         Self { balls, listed, meshes, primitives, hierarchy: None }
     }
 
@@ -82,34 +93,34 @@ impl Aggregate {
         (nearest.id.shape != NONE).then_some(nearest)
     }
 
-    /// The nearest hit of each ray; of rays that all start at one point by the outlook from there, if there is one.
+    /// The nearest hit of each ray; of rays that all start at one point by the view cones from there, if there are any.
     pub fn intersect_all<'r>(
         &self,
         rays: impl Iterator<Item = &'r Ray>,
-        outlook: Option<&Outlook>,
+        cones: Option<&ViewCones>,
         hits: &mut Vec<Option<Hit>>,
     ) {
         let some = |nearest: Hit| (nearest.id.shape != NONE).then_some(nearest);
         hits.clear();
         if self.has_others() {
-            hits.extend(rays.map(|ray| some(self.nearer_other(ray, self.nearest_simple(ray, outlook)))));
+            hits.extend(rays.map(|ray| some(self.nearer_other(ray, self.nearest_simple(ray, cones)))));
         } else {
-            hits.extend(rays.map(|ray| some(self.nearest_simple(ray, outlook))));
+            hits.extend(rays.map(|ray| some(self.nearest_simple(ray, cones))));
         }
     }
 
     /// The round spheres as seen from a point, if that may save work.
-    pub fn outlook(&self, point: DVec3) -> Option<Outlook> {
+    pub fn view_cones(&self, point: DVec3) -> Option<ViewCones> {
         let [balls] = self.balls.as_slice() else { return None };
-        Some(Outlook::new(balls, point))
+        Some(ViewCones::new(balls, point))
     }
 
-    /// The nearest hit of what is neither a mesh nor under the hierarchy; an outlook is that from the ray's origin.
+    /// The nearest hit of what is neither a mesh nor under the hierarchy; `cones` are those from the ray's origin.
     // Always in line: the hit is used field by field at once, and would otherwise go through memory.
     #[inline(always)]
-    fn nearest_simple(&self, ray: &Ray, outlook: Option<&Outlook>) -> Hit {
+    fn nearest_simple(&self, ray: &Ray, cones: Option<&ViewCones>) -> Hit {
         let (mut nearest, mut id) = (f64::INFINITY, SurfaceId { shape: NONE, part: 0 });
-        if outlook.is_none_or(|outlook| outlook.may_meet(ray.direction, 0.0)) {
+        if cones.is_none_or(|cones| cones.may_meet(ray.direction, 0.0)) {
             for balls in &self.balls {
                 balls.hits(ray, |shape, t| {
                     if t < nearest {
@@ -138,9 +149,7 @@ impl Aggregate {
     /// The nearest hit of those if it is nearer than a hit known.
     fn nearer_other(&self, ray: &Ray, mut nearest: Hit) -> Hit {
         for &shape in &self.meshes {
-            // Of two at the same distance the first shows.
-            let limit = if shape < nearest.id.shape { nearest.t.next_up() } else { nearest.t };
-            nearest = self.primitives[shape as usize].intersect(ray, shape, limit).unwrap_or(nearest);
+            nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
         }
         match &self.hierarchy {
             Some(boxed) => self.intersect_boxed(boxed, ray, nearest),
@@ -171,10 +180,10 @@ impl Aggregate {
         self.any_hit::<true>(ray, limit, None)
     }
 
-    /// The same for a ray to a point at the distance `limit`, by the outlook from that point, if there is one.
+    /// The same for a ray to a point at the distance `limit`, by the view cones from that point, if there are any.
     #[inline(always)]
-    pub fn occluded_from(&self, outlook: Option<&Outlook>, ray: &Ray, limit: f64) -> bool {
-        self.any_hit::<true>(ray, limit, outlook)
+    pub fn occluded_from(&self, cones: Option<&ViewCones>, ray: &Ray, limit: f64) -> bool {
+        self.any_hit::<true>(ray, limit, cones)
     }
 
     /// True if anything is met within `limit`, even what casts no shadows.
@@ -184,9 +193,9 @@ impl Aggregate {
     }
 
     #[inline(always)]
-    fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64, outlook: Option<&Outlook>) -> bool {
+    fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64, cones: Option<&ViewCones>) -> bool {
         let in_the_way = |shape: u32, t: f64| t < limit && self.counts::<SHADOWING>(shape);
-        let may_meet = outlook.is_none_or(|outlook| outlook.may_meet(-ray.direction, limit));
+        let may_meet = cones.is_none_or(|cones| cones.may_meet(-ray.direction, limit));
         if may_meet && self.balls.iter().any(|balls| balls.hits(ray, in_the_way)) {
             return true;
         }

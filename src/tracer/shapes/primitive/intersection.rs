@@ -12,31 +12,34 @@ use crate::math::{DVec3, Departure, Ray, SurfaceId};
 impl Primitive {
     /// The nearest hit of a world ray in `(0, limit)`; `shape` is this primitive's number.
     pub fn intersect(&self, ray: &Ray, shape: u32, limit: f64) -> Option<Hit> {
-        let none = Hit { t: limit, id: SurfaceId { shape: u32::MAX, part: 0 }, barycentric: [0.0; 3] };
-        let nearest = self.nearer(ray, shape, none);
-        (nearest.id.shape == shape).then_some(nearest)
+        if let Kernel::Mesh(mesh) = &self.kernel {
+            return self.nearer_triangle(mesh, ray, shape, limit);
+        }
+        let (t, part) = self.intersect_simple(ray, shape, limit)?;
+        Some(Hit { t, id: SurfaceId { shape, part }, barycentric: [0.0; 3] })
     }
 
-    /// The hit of this shape if it is nearer than a hit known, otherwise that one.
+    /// The hit of this shape if it is nearer than a hit known, otherwise that one. Of two at the same distance the shape with
+    /// the lower number shows.
     #[inline(always)]
     pub fn nearer(&self, ray: &Ray, shape: u32, nearest: Hit) -> Hit {
+        let limit = if shape < nearest.id.shape { nearest.t.next_up() } else { nearest.t };
         if let Kernel::Mesh(mesh) = &self.kernel {
-            return self.nearer_triangle(mesh, ray, shape, nearest);
+            return self.nearer_triangle(mesh, ray, shape, limit).unwrap_or(nearest);
         }
-        match self.intersect_simple(ray, shape, nearest.t) {
+        match self.intersect_simple(ray, shape, limit) {
             Some((t, part)) => Hit { t, id: SurfaceId { shape, part }, barycentric: [0.0; 3] },
             None => nearest,
         }
     }
 
     #[inline(never)]
-    fn nearer_triangle(&self, mesh: &Mesh, ray: &Ray, shape: u32, nearest: Hit) -> Hit {
+    fn nearer_triangle(&self, mesh: &Mesh, ray: &Ray, shape: u32, limit: f64) -> Option<Hit> {
         let (origin, direction) = self.to_object(ray);
         let leaving = ray.leaves(shape).map(|departure| (departure.surface.part, departure.side));
-        mesh.intersect(origin, direction, nearest.t, leaving).map_or(nearest, |hit| {
-            let id = SurfaceId { shape, part: hit.triangle };
-            Hit { t: hit.t, id, barycentric: hit.barycentric }
-        })
+        let hit = mesh.intersect(origin, direction, limit, leaving)?;
+        let id = SurfaceId { shape, part: hit.triangle };
+        Some(Hit { t: hit.t, id, barycentric: hit.barycentric })
     }
 
     /// True if anything is hit in `(0, limit)`.
