@@ -1,4 +1,8 @@
-//! Rays that are traced side by side, from one point or to one light: whatever saves work changes no result.
+//! Rays that are traced side by side give the same bits as the textbook's recursion, and whatever saves work on their way
+//! changes no result.
+
+#[path = "support/scenes.rs"]
+mod scenes;
 
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -9,11 +13,47 @@ use skycube::math::{Departure, Ray, Side, SurfaceId, Transform};
 use skycube::picture::Raster;
 use skycube::render::{Budget, Progress, Renderer, Rendering, Silent, render, render_progressively};
 use skycube::sampling::PixelFilter;
-use skycube::scene::{Aggregate, Plan, Scene};
+use skycube::scene::{Aggregate, IntegratorKind, Plan, Scene, Wing};
 use skycube::shapes::{Geometry, MaterialChoice, Primitive};
 
 fn scene(text: &str) -> Scene {
     Scene::from_text(text, Path::new("test.toml")).unwrap_or_else(|error| panic!("{error}"))
+}
+
+/// Renders a scene side by side and by the textbook: every bit of the picture and every count of rays is the same.
+fn assert_same_as_textbook(mut scene: Scene, what: &str) {
+    let plan = Plan::new(&scene);
+    let mut renderer = Renderer::with_layers(&scene, &plan).unwrap();
+    renderer.add_samples(scene.samples, &Silent).unwrap();
+    let fast = renderer.rendering(false);
+    drop(renderer);
+    let plan = scenes::textbook_plan(&mut scene);
+    let mut renderer = Renderer::with_layers(&scene, &plan).unwrap();
+    renderer.add_samples(scene.samples, &Silent).unwrap();
+    let textbook = renderer.rendering(false);
+    assert_eq!((fast.wing, textbook.wing), (Wing::SideBySide, Wing::Textbook), "{what}");
+    let bits =
+        |raster: &Raster| raster.pixels().iter().map(|pixel| pixel.to_array().map(f32::to_bits)).collect::<Vec<_>>();
+    assert_eq!(bits(&fast.raster), bits(&textbook.raster), "{what}");
+    assert_eq!(fast.counts, textbook.counts, "{what}");
+    assert_eq!(layers(&fast).map(bits), layers(&textbook).map(bits), "{what}");
+}
+
+#[test]
+fn every_scene_of_the_lessons_is_as_in_the_textbook() {
+    let traced = |scene: &Scene| matches!(scene.integrator.kind, IntegratorKind::Phong | IntegratorKind::Whitted);
+    let lessons: Vec<_> = scenes::of_lessons().into_iter().filter(|(_, scene)| traced(scene)).collect();
+    assert!(lessons.len() > 12, "{}", lessons.len());
+    for (file, scene) in lessons {
+        assert_same_as_textbook(scene, &file.display().to_string());
+    }
+}
+
+#[test]
+fn random_scenes_are_as_in_the_textbook() {
+    for seed in 0..scenes::RANDOM_SCENES {
+        assert_same_as_textbook(scenes::random_whitted(seed), &format!("scene {seed}"));
+    }
 }
 
 /// Balls, given by centre and radius, tried one by one.
@@ -33,11 +73,11 @@ fn tilt() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(20_000))]
 
-    /// An outlook spares tests; what is met stays the same. Rays start beside a ball or on it and leave it to either side, most
+    /// View cones spare tests; what is met stays the same. Rays start beside a ball or on it and leave it to either side, most
     /// of them nearly along its surface, in places where rounding puts their origins far beside it; the point that they go
     /// to and come from is near or far.
     #[test]
-    fn an_outlook_changes_nothing(
+    fn view_cones_change_nothing(
         spheres in prop::collection::vec((prop::array::uniform3(-3.0..3.0_f64), -3.0..0.5_f64), 1..5),
         normal in prop::array::uniform3(-1.0..1.0_f64),
         aside in prop::array::uniform3(-1.0..1.0_f64),
@@ -61,16 +101,16 @@ proptest! {
         let point = start + along * radius * libm::pow(10.0, far);
         let distance = (point - start).length();
         prop_assume!(along.is_finite() && distance > 0.0);
-        let outlook = shapes.outlook(point).unwrap();
+        let cones = shapes.view_cones(point).unwrap();
         // Towards the point, as shadow rays go to a light.
         let departure = side.map(|side| Departure { surface: SurfaceId { shape: shape as u32, part: 0 }, side });
         let towards = Ray { origin: start, direction: (point - start) / distance, departure };
         let occluded = shapes.occluded(&towards, distance);
-        prop_assert_eq!(shapes.occluded_from(Some(&outlook), &towards, distance), occluded);
+        prop_assert_eq!(shapes.occluded_from(Some(&cones), &towards, distance), occluded);
         // From the point, as rays leave a camera.
         let from = Ray::new(point, -towards.direction);
         let mut hits = Vec::new();
-        shapes.intersect_all([&from].into_iter(), Some(&outlook), &mut hits);
+        shapes.intersect_all([&from].into_iter(), Some(&cones), &mut hits);
         prop_assert_eq!(hits, [shapes.intersect(&from)]);
     }
 }
@@ -114,7 +154,7 @@ fn of_two_shapes_at_the_same_distance_the_first_shows() {
     }
 }
 
-/// A scene whose film keeps all it can: uneven weights and layers, and a size that tiles do not fill.
+/// A scene whose film keeps all it can: uneven weights and layers, and a size that streams do not fill.
 fn demanding() -> Scene {
     let mut scene = scene(
         "camera = { position = [0, 1, 6], target = [0, 1, 0], up = [0, 1, 0], size = [35, 18], samples = 11 }\n\
@@ -159,7 +199,7 @@ impl Progress for After {
 }
 
 #[test]
-fn a_cancelled_pass_leaves_every_tile_right_by_itself() {
+fn a_cancelled_pass_leaves_every_row_right_by_itself() {
     let scene = demanding();
     let plan = Plan::new(&scene);
     let of = |samples: u32| {
@@ -170,7 +210,7 @@ fn a_cancelled_pass_leaves_every_tile_right_by_itself() {
     let (before, after) = (of(3), of(5));
     let mut renderer = Renderer::with_layers(&scene, &plan).unwrap();
     renderer.add_samples(3, &Silent).unwrap();
-    // Six tiles of up to 16 rows with two samples each: some are finished, and some are not.
+    // 18 rows of three streams with two samples each: some are finished, and some are not.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().unwrap();
     pool.install(|| renderer.add_samples(2, &After(AtomicU32::new(60)))).unwrap_err();
     let shown = renderer.rendering(true);

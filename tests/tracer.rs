@@ -26,7 +26,7 @@ fn along(scene: &Scene, origin: DVec3, direction: DVec3) -> Vec3 {
     let plan = Plan::new(scene);
     let integrator = Integrator::new(scene, &plan).unwrap();
     let media = integrator.media_around(origin);
-    integrator.radiance(&ray, &media, PixelSampler::new(0, 0, 0), &mut RayCounts::default())
+    integrator.radiance(&ray, &media, &mut PixelSampler::new(0, 0, 0), &mut RayCounts::default())
 }
 
 /// A sequence of numbers in `[0, 1)` without pattern.

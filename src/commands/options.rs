@@ -48,6 +48,9 @@ pub struct SettingOverrides {
     /// Whether the path tracer searches for light that glass and mirrors focus
     #[arg(long, value_enum)]
     pub caustics: Option<Caustics>,
+    /// Use the integrators of the lessons alone, without the faster code beside them
+    #[arg(long)]
+    pub textbook: bool,
     /// Another map in place of that of the scene's environment, which must have one: a folder, a zip or a picture
     #[arg(long, value_name = "MAP")]
     pub environment: Option<PathBuf>,
@@ -78,6 +81,7 @@ impl SettingOverrides {
         scene.integrator.depth = self.depth.unwrap_or(scene.integrator.depth);
         scene.integrator.strategy = self.strategy.unwrap_or(scene.integrator.strategy);
         scene.integrator.caustics = self.caustics.unwrap_or(scene.integrator.caustics);
+        scene.integrator.fast &= !self.textbook;
         scene.sampling.sampler = self.sampler.unwrap_or(scene.sampling.sampler);
         scene.sampling.filter = self.pixel_filter.unwrap_or(scene.sampling.filter);
         scene.sampling.seed = self.seed.unwrap_or(scene.sampling.seed);

@@ -11,7 +11,7 @@ use crate::colour::Encoding;
 use crate::envmap::Face;
 use crate::integrators::RayCounts;
 use crate::render::Rendering;
-use crate::scene::{Mistake, Plan, Scene};
+use crate::scene::{Mistake, Plan, Scene, Wing};
 
 /// The report of `skycube render`.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -25,6 +25,8 @@ pub struct RenderReport {
     /// True if Ctrl-C ended it before all samples were taken.
     pub stopped: bool,
     pub integrator: &'static str,
+    /// The code that rendered.
+    pub wing: Wing,
     pub seconds: Seconds,
     pub rays: RayCounts,
     /// Rays traced a second while rendering.
@@ -64,6 +66,7 @@ impl RenderReport {
             samples: rendering.samples,
             stopped: rendering.stopped,
             integrator: scene.integrator.kind.name(),
+            wing: rendering.wing,
             seconds,
             rays,
             rays_per_second: rays.traced() as f64 / seconds.rendering.max(1e-9),
@@ -81,9 +84,13 @@ impl RenderReport {
 
 impl fmt::Display for RenderReport {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { picture, width, height, samples, integrator, seconds, .. } = self;
+        let Self { picture, width, height, samples, integrator, wing, seconds, .. } = self;
         let unit = if *samples == 1 { "sample" } else { "samples" };
-        writeln!(formatter, "wrote {picture}: {width} x {height} pixels, {samples} {unit} each, {integrator}")?;
+        writeln!(
+            formatter,
+            "wrote {picture}: {width} x {height} pixels, {samples} {unit} each, {integrator}, {}",
+            wing.name()
+        )?;
         if self.stopped {
             writeln!(formatter, "      stopped by Ctrl-C: the picture is complete but noisier than asked for")?;
         }

@@ -33,7 +33,6 @@ pub(super) fn ray_name(kind: RayKind) -> &'static str {
         RayKind::Reflected => "reflected ray",
         RayKind::Refracted => "refracted ray",
         RayKind::Scattered => "scattered ray",
-        RayKind::Focused => "ray through mirrors and glass to a light",
     }
 }
 

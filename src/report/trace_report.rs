@@ -68,7 +68,6 @@ impl TraceReport<'_> {
                 lines
             }
             Event::Nothing => vec!["hits nothing: nothing is added".to_owned()],
-            Event::OpenSky => vec!["hits nothing: the sky was added before, as open sky".to_owned()],
             Event::Hit { ref surface, side, shading_normal, distance, cosine, transmittance } => {
                 let mut lines: Vec<String> =
                     hit(scene, surface, side, shading_normal, distance, cosine).into_iter().collect();

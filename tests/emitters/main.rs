@@ -5,7 +5,6 @@ mod icosphere;
 
 mod environment;
 mod histogram;
-mod irradiance;
 mod maps;
 mod shape_hits;
 mod solid_angles;

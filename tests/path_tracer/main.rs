@@ -3,6 +3,5 @@
 mod agreement;
 mod caustics;
 mod light;
-mod open_sky;
 mod pictures;
 mod support;

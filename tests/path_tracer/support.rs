@@ -30,8 +30,8 @@ pub fn along(scene: &Scene, origin: DVec3, direction: DVec3, samples: u32) -> (f
     let sampling = Sampling { sampler: SamplerKind::Independent, ..Sampling::default() };
     let (mut sum, mut squares) = (0.0, 0.0);
     for index in 0..samples {
-        let sampler = PixelSampler::chosen(sampling, 3, 5, index);
-        let radiance = integrator.radiance(&ray, &media, sampler, &mut RayCounts::default());
+        let mut sampler = PixelSampler::chosen(sampling, 3, 5, index);
+        let radiance = integrator.radiance(&ray, &media, &mut sampler, &mut RayCounts::default());
         assert!(radiance.is_finite() && radiance.min_element() >= 0.0, "{radiance}");
         let value = f64::from(radiance.element_sum()) / 3.0;
         sum += value;

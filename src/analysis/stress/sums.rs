@@ -8,7 +8,7 @@ use super::reference::ulp_f32;
 use super::wide::Wide;
 use crate::math::Vec3;
 use crate::picture::Raster;
-use crate::render::{Keeps, Silent, TileFilm, render};
+use crate::render::{FilmRow, Keeps, Silent, render};
 use crate::scene::{Plan, Scene};
 
 pub(super) const SUBJECTS: &[Subject] = &[
@@ -47,15 +47,14 @@ pub(super) const SUBJECTS: &[Subject] = &[
 /// Samples of the same mean, most of them dim and a few bright: a thousandth gives half of the light.
 fn film(effort: Effort, contrast: f64, uneven: bool) -> Measurement {
     let samples = effort.share(0.1).min(1_000_000) as u32;
-    let mut film = TileFilm::of_pixel(Keeps { weights: uneven, layers: false });
-    film.samples = samples;
+    let mut film = FilmRow::new(Keeps { weights: uneven, layers: false });
     let mut random = Random(contrast.to_bits());
     let [mut weighted, mut plain, mut weights] = [Wide::ZERO; 3];
     for _ in 0..samples {
         let magnitude = if random.unit() < 1e-3 { contrast } else { random.unit() };
         let radiance = (magnitude * (0.5 + random.unit())) as f32;
         let weight = if uneven { 0.5 + random.unit() } else { 1.0 };
-        film.add(0, &[Vec3::splat(radiance)], &[weight]);
+        film.add(&[Vec3::splat(radiance)], &[weight]);
         let exact = Wide::from(f64::from(radiance));
         weighted = weighted + exact * weight.into();
         plain = plain + exact;

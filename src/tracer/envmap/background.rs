@@ -80,11 +80,6 @@ pub(super) struct Longitudes {
 }
 
 impl Longitudes {
-    /// Counted from where an unturned picture begins.
-    pub(super) fn about(up: SignedAxis) -> Self {
-        Self { up, turns: 0.0 }
-    }
-
     /// Place in the picture in `[0, 1]` from the left and from the top.
     pub(super) fn place(&self, direction: DVec3) -> (f64, f64) {
         let [x, y, z] = self.y_up(direction).to_array();

@@ -1,37 +1,48 @@
 //! Integrators: from a camera ray to the radiance of a pixel.
+//!
+//! ```text
+//!     textbook       what a lecture shows; renders wherever nothing faster applies, and is watched by `skycube trace`
+//!     side_by_side   Whitted's and Phong's for a row of pixels at once: the same bits
+//!     guided         path tracing with photons where glass and mirrors focus light: the same mean, less noise
+//!     common         what they share
+//! ```
 
-mod bundle;
-mod cost;
-mod direct;
-mod media;
-mod normals;
-mod observer;
-mod path;
-mod view;
-mod whitted;
+mod common;
+mod guided;
+mod side_by_side;
+mod textbook;
 
-pub use bundle::Bundle;
-pub use cost::RayCounts;
-pub use observer::{Blind, Event, LightOutcome, Observer, RayKind, Recorder};
+pub use common::observer::{Blind, Event, LightOutcome, Observer, RayKind, Recorder};
+pub use common::task::RayCounts;
+pub use side_by_side::RayStream;
 
 use crate::error::Result;
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
-use crate::scene::{IntegratorKind, Plan, Scene};
-use crate::shapes::Outlook;
-use media::Media;
-use path::PathTables;
-use view::View;
+use crate::scene::{IntegratorKind, Plan, Scene, Wing};
+use common::lights::LightTables;
+use common::media;
+use common::task::Task;
+use common::view::View;
+use guided::GuidedTracer;
+use side_by_side::StreamTracer;
+use textbook::whitted::Path;
 
 /// A scene made ready for rendering by its plan.
 pub struct Integrator<'a> {
     scene: &'a Scene,
     plan: &'a Plan,
-    /// What the path tracer looks up; `None` for the others.
-    path: Option<PathTables>,
-    /// The view from each light source, where it may save the others work.
-    outlooks: Vec<Option<Outlook>>,
+    /// The light sources that the path tracer sends rays to; none for the others.
+    lights: LightTables,
+    wing: ReadyWing<'a>,
+}
+
+/// The code that renders, made ready.
+enum ReadyWing<'a> {
+    Textbook,
+    SideBySide(StreamTracer<'a>),
+    Guided(GuidedTracer<'a>),
 }
 
 /// What a camera ray meets first.
@@ -47,63 +58,84 @@ pub struct FirstHit {
 impl<'a> Integrator<'a> {
     /// Builds the tables that the plan asks for. An error tells that a picture of the environment cannot be decoded.
     pub fn new(scene: &'a Scene, plan: &'a Plan) -> Result<Self> {
-        let path = match plan.integrator {
-            IntegratorKind::Path => Some(PathTables::new(scene, plan)?),
-            _ => None,
+        let lights = LightTables::new(scene, plan)?;
+        let wing = match plan.wing {
+            Wing::Textbook => None,
+            Wing::SideBySide => Some(ReadyWing::SideBySide(StreamTracer::new(scene, plan))),
+            Wing::Guided => GuidedTracer::new(scene, plan, &lights).map(ReadyWing::Guided),
         };
-        Ok(Self { scene, plan, path, outlooks: direct::outlooks(scene, plan) })
+        Ok(Self { scene, plan, lights, wing: wing.unwrap_or(ReadyWing::Textbook) })
     }
 
-    /// An empty bundle for rays of the camera, which all start at `origin`, if there is one: that may save work.
-    pub fn bundle(&self, origin: Option<DVec3>) -> Bundle {
-        let Plan { integrator, reflection, refraction, .. } = *self.plan;
-        let sends_on = integrator == IntegratorKind::Whitted && (reflection || refraction);
-        let depth = if sends_on { self.scene.integrator.depth } else { 0 };
-        Bundle::new(depth, origin.and_then(|origin| self.scene.shapes.outlook(origin)))
-    }
-
-    /// Finds the radiance along the rays of a bundle. The counts of rays grow by what was traced.
-    #[inline]
-    pub fn trace(&self, bundle: &mut Bundle, counts: &mut RayCounts) {
-        self.trace_observed(bundle, counts, &mut Blind);
-    }
-
-    /// The same for a bundle of one ray, watched.
-    pub fn trace_observed<O: Observer>(&self, bundle: &mut Bundle, counts: &mut RayCounts, observer: &mut O) {
-        let Self { scene, plan, ref path, .. } = *self;
-        bundle.normalize();
-        counts.camera += bundle.rays().len() as u64;
-        for ray in bundle.rays() {
-            observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
+    /// Which code renders: the plan's choice, or the textbook where a look at the light showed that a guide is of no use.
+    pub fn wing(&self) -> Wing {
+        match self.wing {
+            ReadyWing::Textbook => Wing::Textbook,
+            ReadyWing::SideBySide(_) => Wing::SideBySide,
+            ReadyWing::Guided(_) => Wing::Guided,
         }
+    }
+
+    /// The radiance along a camera ray of unit direction that starts inside of the glasses `media`. The counts of rays grow by
+    /// what is traced.
+    pub fn radiance(&self, ray: &Ray, media: &MediumStack, sampler: &mut PixelSampler, counts: &mut RayCounts) -> Vec3 {
+        let ReadyWing::Guided(guided) = &self.wing else {
+            return self.watch(ray, media, sampler, counts, &mut Blind);
+        };
+        counts.camera += 1;
+        guided.radiance(&self.lights, ray, media, sampler, counts)
+    }
+
+    /// The same by the textbook's code, watched.
+    pub fn watch<O: Observer>(
+        &self,
+        ray: &Ray,
+        media: &MediumStack,
+        sampler: &mut PixelSampler,
+        counts: &mut RayCounts,
+        observer: &mut O,
+    ) -> Vec3 {
+        counts.camera += 1;
+        observer.note(|| Event::Ray { kind: RayKind::Camera, ray: *ray, factor: Vec3::ONE });
+        let Self { scene, plan, ref lights, .. } = *self;
+        let mut task = Task { scene, plan, sampler, counts, observer };
         match plan.integrator {
-            IntegratorKind::Normals => bundle.each(|ray, _, _| normals::radiance(scene, ray, observer)),
-            IntegratorKind::Path => bundle.each(|ray, media, sampler| {
-                let task = path::Task { scene, plan, sampler, counts, observer };
-                path.as_ref().map_or(Vec3::ZERO, |tables| path::radiance(task, tables, ray, media))
-            }),
-            // Phong's follows nothing: the plan says so.
-            IntegratorKind::Phong | IntegratorKind::Whitted => {
-                let Bundle { outlook, samplers, levels } = bundle;
-                let (outlooks, media_of) = (&self.outlooks, Media { scene, absorption: plan.absorption });
-                let mut tracer = whitted::Tracer { scene, plan, outlooks, media_of, samplers, counts, observer };
-                tracer.trace(0, outlook.as_ref(), levels);
+            IntegratorKind::Normals => textbook::normals::radiance(&mut task, ray),
+            IntegratorKind::Phong => textbook::phong::radiance(&mut task, ray),
+            IntegratorKind::Whitted => {
+                let path = Path { ray: *ray, media: *media, weight: Vec3::ONE, depth: 0 };
+                textbook::whitted::radiance(&mut task, &path)
             }
+            IntegratorKind::Path => textbook::path::radiance(task, lights, ray, media),
         }
     }
 
-    /// The radiance along one ray from free space, whose direction may have any length; `media` are the glasses around its
-    /// origin.
-    pub fn radiance(&self, ray: &Ray, media: &MediumStack, sampler: PixelSampler, counts: &mut RayCounts) -> Vec3 {
-        let mut bundle = self.bundle(Some(ray.origin));
-        bundle.push(ray.origin, ray.direction, media, sampler);
-        self.trace(&mut bundle, counts);
-        bundle.radiances()[0]
+    /// An empty stream for rays of the camera, which all start at `origin`, if there is one; `None` unless rays are traced
+    /// side by side.
+    pub fn stream(&self, origin: Option<DVec3>) -> Option<RayStream> {
+        match &self.wing {
+            ReadyWing::SideBySide(tracer) => Some(tracer.stream(origin)),
+            _ => None,
+        }
+    }
+
+    /// Finds the radiance along the rays of a stream.
+    pub fn trace(&self, stream: &mut RayStream, counts: &mut RayCounts) {
+        if let ReadyWing::SideBySide(tracer) = &self.wing {
+            tracer.trace(stream, counts);
+        }
     }
 
     /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
     pub fn left_out(&self) -> Vec<String> {
-        self.path.as_ref().map_or(Vec::new(), |tables| tables.left_out(self.plan))
+        let mut items = self.lights.left_out(self.plan);
+        let wing = match self.wing {
+            ReadyWing::Textbook => None,
+            ReadyWing::SideBySide(_) => Some("rays are traced side by side, to the same bits"),
+            ReadyWing::Guided(_) => Some("paths are guided to light behind glass and mirrors, with the same mean"),
+        };
+        items.extend(wing.map(|wing| format!("{wing}: the textbook's code is not used (--textbook renders with it)")));
+        items
     }
 
     /// The glasses that enclose a point from which rays start, outermost first: a camera may stand in water.

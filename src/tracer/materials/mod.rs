@@ -134,9 +134,9 @@ impl Material {
         self.scattering(DVec2::ZERO, 1.5)
     }
 
-    /// True if light is scattered the same in all directions, and nothing else is done with it.
-    pub fn is_dull(&self) -> bool {
-        matches!(self, Material::Lambert { .. })
+    /// True for glass without microfacets.
+    pub fn is_smooth_glass(&self) -> bool {
+        matches!(self, Material::Glass { rough: None, .. })
     }
 
     /// True if light is weakened on its way through.

@@ -1,148 +1,125 @@
-//! The film of a picture, tile by tile.
-//!
-//! ```text
-//!     tiles      |  0  |  1  |  2  | ...      how many samples each has, and what rays they took
-//!     sums       |.....|.....|...  | ...      the same room for every tile; small ones at the border leave some of it
-//! ```
+//! The film of a picture: what the samples of its pixels add up to.
 
 use super::layers::{LayerSums, Layers};
-use super::tile::Tile;
-use super::tile_film::{Keeps, TileFilm, shown};
-use crate::integrators::RayCounts;
+use crate::integrators::{FirstHit, RayCounts};
 use crate::math::{DVec3, Vec3};
-use crate::memory::{on_large_pages, zeros_on_large_pages};
+use crate::memory::on_large_pages;
 use crate::parallel;
 use crate::picture::Raster;
 
-/// Pixels that there is room for in every tile.
-const ROOM: usize = Tile::SIDE * Tile::SIDE;
-
-/// The film of a picture. It takes no memory before the first sample: the thread that exposes a tile touches it first.
+/// The film of a picture, row by row, so that several threads can expose it.
 #[derive(Debug)]
 pub struct Film {
     size: [usize; 2],
-    pub keeps: Keeps,
-    exposures: Vec<Exposure>,
-    /// Sums of radiance times filter weight.
-    weighted: Vec<[f64; 3]>,
+    pub rows: Vec<FilmRow>,
+}
+
+/// One row of pixels, all with the same number of samples. It takes no memory before the first.
+#[derive(Debug, Default)]
+pub struct FilmRow {
+    /// Samples that every pixel has.
+    pub samples: u32,
+    /// Rays traced for all of them.
+    pub counts: RayCounts,
+    /// Sums of radiance times filter weight, in `f64` so that many samples do not lose the small ones.
+    weighted: Vec<DVec3>,
     /// Sums of radiance and of filter weights; empty for filters whose samples all count the same.
-    uneven: Vec<[f64; 4]>,
-    layers: Vec<Vec<LayerSums>>,
-}
-
-/// How far a tile is exposed.
-#[derive(Debug)]
-struct Exposure {
-    tile: Tile,
-    samples: u32,
-    counts: RayCounts,
-}
-
-/// The film under one tile, in its place.
-pub struct Slot<'f> {
-    exposure: &'f mut Exposure,
+    uneven: Vec<(DVec3, f64)>,
+    /// Empty unless layers were asked for.
+    layers: Vec<LayerSums>,
     keeps: Keeps,
-    weighted: &'f mut [[f64; 3]],
-    uneven: &'f mut [[f64; 4]],
-    layers: &'f mut Vec<LayerSums>,
+}
+
+/// What a film keeps of every sample beside its weighted radiance.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Keeps {
+    /// Samples count differently: their weights.
+    pub weights: bool,
+    /// Layers were asked for.
+    pub layers: bool,
 }
 
 impl Film {
     /// A film without samples.
-    pub fn new(size: [usize; 2], keeps: Keeps) -> Self {
-        let exposure = |tile| Exposure { tile, samples: 0, counts: RayCounts::default() };
-        let exposures: Vec<_> = Tile::all(size).into_iter().map(exposure).collect();
-        let weighted = zeros_on_large_pages([0.0; 3], exposures.len() * ROOM);
-        let uneven = zeros_on_large_pages([0.0; 4], if keeps.weights { exposures.len() * ROOM } else { 0 });
-        let layers = vec![Vec::new(); exposures.len()];
-        Self { size, keeps, exposures, weighted, uneven, layers }
-    }
-
-    /// The tiles, to be exposed independently of each other.
-    pub fn slots(&mut self) -> Vec<Slot<'_>> {
-        let weighted = self.weighted.chunks_mut(ROOM);
-        let mut uneven = self.uneven.chunks_mut(ROOM);
-        let places = self.exposures.iter_mut().zip(weighted).zip(&mut self.layers);
-        let slot = |((exposure, weighted), layers)| {
-            let uneven = uneven.next().unwrap_or_default();
-            Slot { exposure, keeps: self.keeps, weighted, uneven, layers }
-        };
-        places.map(slot).collect()
+    pub fn new([width, height]: [usize; 2], keeps: Keeps) -> Self {
+        Self { size: [width, height], rows: (0..height).map(|_| FilmRow::new(keeps)).collect() }
     }
 
     /// Samples that every pixel has.
     pub fn samples(&self) -> u32 {
-        self.exposures.iter().map(|exposure| exposure.samples).min().unwrap_or(0)
+        self.rows.iter().map(|row| row.samples).min().unwrap_or(0)
     }
 
     /// Rays traced for all samples.
     pub fn counts(&self) -> RayCounts {
         let mut counts = RayCounts::default();
-        self.exposures.iter().for_each(|exposure| counts += exposure.counts);
+        self.rows.iter().for_each(|row| counts += row.counts);
         counts
     }
 
-    /// The picture; bands of tiles in parallel.
+    /// The picture; rows in parallel.
     pub fn develop(&self) -> Raster {
         let [width, height] = self.size;
         let mut pixels = on_large_pages(width * height);
         pixels.resize(width * height, Vec3::ZERO);
-        let across = width.div_ceil(Tile::SIDE);
-        let bands = pixels.chunks_mut(width * Tile::SIDE).enumerate();
-        parallel::for_each(bands, |(band, pixels)| {
-            (band * across..(band + 1) * across).for_each(|number| self.develop_tile(number, pixels));
+        parallel::for_each(pixels.chunks_mut(width).zip(&self.rows), |(pixels, row)| {
+            pixels.iter_mut().enumerate().for_each(|(x, pixel)| *pixel = row.pixel(x));
         });
         Raster::from_pixels(width, height, pixels)
-    }
-
-    /// Develops a tile into the band of the picture that it lies in.
-    fn develop_tile(&self, number: usize, band: &mut [Vec3]) {
-        let Exposure { tile, samples, .. } = self.exposures[number];
-        for row in 0..tile.height {
-            let start = row * self.size[0] + tile.x;
-            let first = number * ROOM + row * tile.width;
-            let pixels = band[start..start + tile.width].iter_mut().enumerate();
-            pixels.for_each(|(column, pixel)| {
-                let uneven = self.uneven.get(first + column).map(|&[x, y, z, weights]| (DVec3::new(x, y, z), weights));
-                *pixel = shown(samples, DVec3::from_array(self.weighted[first + column]), uneven);
-            });
-        }
     }
 
     /// The layers; `None` if they were not asked for.
     pub fn develop_layers(&self) -> Option<Layers> {
         let [width, height] = self.size;
-        let mut layers = self.keeps.layers.then(|| Layers::blank(width, height))?;
-        for (Exposure { tile, samples, .. }, sums) in self.exposures.iter().zip(&self.layers) {
-            for ([x, y], sums) in tile.pixels().zip(sums) {
-                layers.set(x, y, sums, *samples);
-            }
+        let mut layers = self.rows.first()?.keeps.layers.then(|| Layers::blank(width, height))?;
+        for (y, row) in self.rows.iter().enumerate() {
+            row.layers.iter().enumerate().for_each(|(x, sums)| layers.set(x, y, sums, row.samples));
         }
         Some(layers)
     }
 }
 
-impl Slot<'_> {
-    /// Copies the tile, so that samples can be added.
-    pub fn load(&self, film: &mut TileFilm) {
-        let Exposure { tile, samples, counts } = *self.exposure;
-        film.clear(tile, self.keeps);
-        if samples == 0 {
-            return;
-        }
-        (film.samples, film.counts) = (samples, counts);
-        film.weighted.iter_mut().zip(self.weighted.iter()).for_each(|(to, from)| *to = DVec3::from_array(*from));
-        let uneven = self.uneven.iter().map(|&[x, y, z, weights]| (DVec3::new(x, y, z), weights));
-        film.uneven.iter_mut().zip(uneven).for_each(|(to, from)| *to = from);
-        film.layers.clone_from(self.layers);
+impl FilmRow {
+    /// A row without samples.
+    pub fn new(keeps: Keeps) -> Self {
+        Self { keeps, ..Self::default() }
     }
 
-    /// Puts the tile back with the samples that were added.
-    pub fn store(&mut self, film: &TileFilm) {
-        (self.exposure.samples, self.exposure.counts) = (film.samples, film.counts);
-        self.weighted.iter_mut().zip(&film.weighted).for_each(|(to, from)| *to = from.to_array());
-        let uneven = film.uneven.iter().map(|(radiance, weights)| [radiance.x, radiance.y, radiance.z, *weights]);
-        self.uneven.iter_mut().zip(uneven).for_each(|(to, from)| *to = from);
-        self.layers.clone_from(&film.layers);
+    /// Adds one sample to every pixel: radiances and what they count.
+    pub fn add(&mut self, radiances: &[Vec3], weights: &[f64]) {
+        if self.samples == 0 {
+            let kept = |kept: bool| if kept { radiances.len() } else { 0 };
+            self.weighted.resize(radiances.len(), DVec3::ZERO);
+            self.uneven.resize(kept(self.keeps.weights), (DVec3::ZERO, 0.0));
+        }
+        self.samples += 1;
+        let samples = || radiances.iter().map(|radiance| radiance.as_dvec3()).zip(weights);
+        for (sum, (radiance, &weight)) in self.weighted.iter_mut().zip(samples()) {
+            *sum += radiance * weight;
+        }
+        for (sum, (radiance, &weight)) in self.uneven.iter_mut().zip(samples()) {
+            sum.0 += radiance;
+            sum.1 += weight;
+        }
+    }
+
+    /// Adds what the layers need of one sample of every pixel.
+    pub fn add_to_layers(&mut self, radiances: &[Vec3], first_hits: &[Option<FirstHit>]) {
+        self.layers.resize(radiances.len(), LayerSums::default());
+        for (sums, (&radiance, &first_hit)) in self.layers.iter_mut().zip(radiances.iter().zip(first_hits)) {
+            sums.add(radiance, first_hit);
+        }
+    }
+
+    /// The radiance a pixel shows; black before the first sample.
+    ///
+    /// With uneven weights the mean of the weights is not exactly 1; by as much as it is off, the plain mean of the radiance
+    /// is taken away, so that an even picture stays even. The bias falls with 1/samples.
+    #[inline]
+    pub fn pixel(&self, x: usize) -> Vec3 {
+        let Some(weighted) = self.weighted.get(x) else { return Vec3::ZERO };
+        let samples = f64::from(self.samples);
+        let excess = |(plain, weights): &(DVec3, f64)| *plain / samples * (weights / samples - 1.0);
+        (*weighted / samples - self.uneven.get(x).map_or(DVec3::ZERO, excess)).as_vec3()
     }
 }

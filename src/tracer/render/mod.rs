@@ -1,4 +1,4 @@
-//! From a scene to a picture: tiles on all cores, the same bytes whatever their number.
+//! From a scene to a picture: rows on all cores, the same bytes whatever their number.
 
 mod axis_shots;
 mod film;
@@ -8,13 +8,10 @@ mod progress;
 mod progressive;
 mod ray_source;
 mod renderer;
-mod tile;
-mod tile_film;
 
 pub use axis_shots::{AxisShot, front};
+pub use film::{FilmRow, Keeps};
 pub use layers::Layers;
 pub use progress::{Progress, Silent};
 pub use progressive::{Budget, render_progressively};
 pub use renderer::{PixelSample, Renderer, Rendering, bake_face, render};
-pub use tile::Tile;
-pub use tile_film::{Keeps, TileFilm};

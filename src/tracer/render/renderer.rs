@@ -1,21 +1,19 @@
-//! The rendering loop: passes of samples over all tiles, on all cores.
+//! The rendering loop: passes of samples over all rows, on all cores.
 
 use rayon::prelude::*;
 
-use super::film::Film;
+use super::film::{Film, FilmRow, Keeps};
 use super::layers::Layers;
 use super::progress::Progress;
 use super::ray_source::RaySource;
-use super::tile::Tile;
-use super::tile_film::{Keeps, TileFilm};
 use crate::envmap::{Face, Lookup};
 use crate::error::{Error, Result};
-use crate::integrators::{Bundle, Integrator, Observer, RayCounts};
+use crate::integrators::{FirstHit, Integrator, Observer, RayCounts, RayStream};
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::picture::Raster;
 use crate::sampling::{FilteredPlace, PixelSampler, Sampling};
-use crate::scene::{Plan, Scene};
+use crate::scene::{Plan, Scene, Wing};
 
 /// A finished picture and what it cost.
 #[derive(Debug, Clone, PartialEq)]
@@ -31,20 +29,16 @@ pub struct Rendering {
     pub layers: Option<Layers>,
     /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
     pub left_out: Vec<String>,
+    /// The code that rendered.
+    pub wing: Wing,
 }
 
 /// A picture that grows by passes of samples. Every sample depends on the scene and its own number alone: the picture after
 /// N samples is the same however they were split, on any number of threads.
 pub struct Renderer<'a> {
-    scene: &'a Scene,
-    integrator: Integrator<'a>,
-    source: RaySource<'a>,
-    /// The glasses around the camera.
-    media: MediumStack,
-    sampling: Sampling,
-    /// True if the only sample goes through the middle of the pixel.
-    centred: bool,
+    sampler: SceneSampler<'a>,
     film: Film,
+    keeps: Keeps,
     samples: u32,
 }
 
@@ -62,20 +56,23 @@ impl<'a> Renderer<'a> {
     fn from_source(scene: &'a Scene, plan: &'a Plan, source: RaySource<'a>, layers: bool) -> Result<Self> {
         let integrator = Integrator::new(scene, plan)?;
         let media = integrator.media_around(source.position());
-        let sampling = scene.sampling;
-        let keeps = Keeps { weights: !sampling.filter.is_even(), layers };
+        let keeps = Keeps { weights: !scene.sampling.filter.is_even(), layers };
         let film = Film::new(source.size(), keeps);
-        Ok(Self { scene, integrator, source, media, sampling, centred: scene.samples == 1, film, samples: 0 })
+        let centred = scene.samples == 1;
+        let sampler = SceneSampler { scene, integrator, source, media, sampling: scene.sampling, centred, layers };
+        Ok(Self { sampler, film, keeps, samples: 0 })
     }
 
     /// The same picture with noise of its own. Before the first sample.
-    pub fn seeded(self, seed: u32) -> Self {
-        Self { sampling: Sampling { seed, ..self.sampling }, ..self }
+    pub fn seeded(mut self, seed: u32) -> Self {
+        self.sampler.sampling.seed = seed;
+        self
     }
 
     /// From now on every sample has a place of its own in the pixel, even if there is only one.
-    pub fn scattered(self) -> Self {
-        Self { centred: false, ..self }
+    pub fn scattered(mut self) -> Self {
+        self.sampler.centred = false;
+        self
     }
 
     /// Samples a pixel so far.
@@ -84,41 +81,30 @@ impl<'a> Renderer<'a> {
     }
 
     /// Adds samples to every pixel. After an error (a picture that cannot be decoded, or the rendering was cancelled)
-    /// some tiles may have them and others not; each is right by itself.
+    /// some rows may have them and others not; each is right by itself.
     pub fn add_samples(&mut self, count: u32, progress: &dyn Progress) -> Result<()> {
-        let last = self.samples + count;
-        let Self { scene, integrator, source, media, sampling, centred, film, .. } = self;
-        let pass = Pass { scene, integrator, source, media, sampling: *sampling, centred: *centred, last };
-        // Room that is used for one tile after the other.
-        let room = || (TileFilm::blank(), pass.integrator.bundle(pass.source.origin()));
-        film.slots().into_par_iter().try_for_each_init(room, |(tile, bundle), mut slot| {
-            slot.load(tile);
-            pass.expose(tile, bundle, progress)?;
-            slot.store(tile);
-            Ok(())
-        })?;
+        let (sampler, last) = (&self.sampler, self.samples + count);
+        let rows = self.film.rows.par_iter_mut().enumerate();
+        rows.try_for_each_init(|| sampler.room(), |room, (y, row)| sampler.expose(row, y, last, room, progress))?;
         self.samples = last;
         Ok(())
     }
 
-    /// One sample of a pixel, watched; the picture does not change.
-    pub fn watch<O: Observer>(&self, pixel: [usize; 2], index: u32, observer: &mut O) -> PixelSample {
-        let Self { scene, integrator, source, media, sampling, centred, .. } = self;
-        let pass = Pass { scene, integrator, source, media, sampling: *sampling, centred: *centred, last: index + 1 };
-        let mut bundle = integrator.bundle(source.origin());
-        let sampler = PixelSampler::chosen(*sampling, pixel[0], pixel[1], index);
-        let place = pass.set_out(pixel, sampler, &mut bundle);
-        integrator.trace_observed(&mut bundle, &mut RayCounts::default(), observer);
-        let ray = *bundle.rays().next().expect("one ray set out");
-        PixelSample { ray, place, radiance: bundle.radiances()[0] }
+    /// One sample of a pixel, watched as the textbook's code takes it; the picture does not change.
+    pub fn watch<O: Observer>(&self, [x, y]: [usize; 2], index: u32, observer: &mut O) -> PixelSample {
+        let SceneSampler { integrator, media, sampling, .. } = &self.sampler;
+        let mut sampler = PixelSampler::chosen(*sampling, x, y, index);
+        let (origin, towards, place) = self.sampler.set_out([x, y], &mut sampler);
+        let ray = Ray::new(origin, towards.normalize());
+        let radiance = integrator.watch(&ray, media, &mut sampler, &mut RayCounts::default(), observer);
+        PixelSample { ray, place, radiance }
     }
 
     /// What a pixel shows after samples that were taken one by one, in their order: the same bits as in the picture.
     pub fn develop_pixel(&self, samples: &[PixelSample]) -> Vec3 {
-        let mut film = TileFilm::of_pixel(Keeps { layers: false, ..self.film.keeps });
-        samples.iter().for_each(|sample| film.add(0, &[sample.radiance], &[sample.place.weight]));
-        film.samples = samples.len() as u32;
-        film.pixel(0)
+        let mut row = FilmRow::new(Keeps { layers: false, ..self.keeps });
+        samples.iter().for_each(|sample| row.add(&[sample.radiance], &[sample.place.weight]));
+        row.pixel(0)
     }
 
     /// The picture so far.
@@ -129,7 +115,8 @@ impl<'a> Renderer<'a> {
             samples: self.film.samples(),
             stopped,
             layers: self.film.develop_layers(),
-            left_out: self.integrator.left_out(),
+            left_out: self.sampler.integrator.left_out(),
+            wing: self.sampler.integrator.wing(),
         }
     }
 }
@@ -143,66 +130,109 @@ pub struct PixelSample {
     pub radiance: Vec3,
 }
 
-/// One pass over the picture.
-struct Pass<'p, 'a> {
-    scene: &'p Scene,
-    integrator: &'p Integrator<'a>,
-    source: &'p RaySource<'a>,
-    media: &'p MediumStack,
+/// Takes samples of pixels.
+struct SceneSampler<'a> {
+    scene: &'a Scene,
+    integrator: Integrator<'a>,
+    source: RaySource<'a>,
+    /// The glasses around the camera.
+    media: MediumStack,
     sampling: Sampling,
+    /// True if the only sample goes through the middle of the pixel.
     centred: bool,
-    /// Samples a pixel after the pass.
-    last: u32,
+    /// True if layers were asked for.
+    layers: bool,
 }
 
-impl Pass<'_, '_> {
-    /// Adds the samples of the pass to a tile, all of them or none.
-    fn expose(&self, film: &mut TileFilm, bundle: &mut Bundle, progress: &dyn Progress) -> Result<()> {
-        let before = film.counts.traced();
-        for row in 0..film.tile.height {
-            self.expose_row(film, row, bundle, progress)?;
+/// Room for one sample of every pixel of a row, used again and again.
+#[derive(Default)]
+struct Room {
+    radiances: Vec<Vec3>,
+    weights: Vec<f64>,
+    /// Empty unless layers were asked for.
+    first_hits: Vec<Option<FirstHit>>,
+    /// Where rays are traced side by side.
+    stream: Option<RayStream>,
+}
+
+impl Room {
+    fn clear(&mut self) {
+        self.radiances.clear();
+        self.weights.clear();
+        self.first_hits.clear();
+    }
+}
+
+impl SceneSampler<'_> {
+    fn room(&self) -> Room {
+        Room { stream: self.integrator.stream(self.source.origin()), ..Room::default() }
+    }
+
+    /// Adds samples to all pixels of a row until there are `last`. An error tells that it was cancelled, or that a picture of
+    /// the environment cannot be decoded: then a sample that was begun is left out for the whole row.
+    fn expose(&self, row: &mut FilmRow, y: usize, last: u32, room: &mut Room, progress: &dyn Progress) -> Result<()> {
+        let (before, width) = (row.counts.traced(), self.source.size()[0]);
+        let work = width as u64 * u64::from(last - row.samples);
+        for index in row.samples..last {
+            let mut counts = row.counts;
+            self.sample_row(y, index, room, &mut counts, progress)?;
+            row.counts = counts;
+            row.add(&room.radiances, &room.weights);
+            if self.layers {
+                row.add_to_layers(&room.radiances, &room.first_hits);
+            }
         }
-        if let Some(error) = self.scene.environment.error() {
-            return Err(error.clone());
-        }
-        let work = film.tile.area() as u64 * u64::from(self.last - film.samples);
-        film.samples = self.last;
-        progress.advance(work, film.counts.traced() - before);
+        progress.advance(work, row.counts.traced() - before);
         Ok(())
     }
 
-    /// Adds the samples of the pass to a row of a tile. An error tells that it was cancelled.
-    fn expose_row(&self, film: &mut TileFilm, row: usize, bundle: &mut Bundle, progress: &dyn Progress) -> Result<()> {
-        let mut weights = [1.0; Tile::SIDE];
-        let Tile { x, y, width, .. } = film.tile;
-        for index in film.samples..self.last {
-            // With many samples a row takes long: a cancelled tile is not finished.
+    /// Takes one sample of every pixel of a row.
+    fn sample_row(
+        &self,
+        y: usize,
+        index: u32,
+        room: &mut Room,
+        counts: &mut RayCounts,
+        progress: &dyn Progress,
+    ) -> Result<()> {
+        room.clear();
+        let Room { radiances, weights, first_hits, stream } = room;
+        let (samplers, width) = (self.sampling.row(y, index), self.source.size()[0]);
+        for first in (0..width).step_by(RayStream::LENGTH) {
+            // With many samples or pixels a row takes long: a cancelled one is not finished.
             if progress.cancelled() {
                 return Err(Error::new("cancelled: nothing was written"));
             }
-            bundle.clear();
-            let samplers = self.sampling.row(y + row, index);
-            for (column, weight) in (x..x + width).zip(&mut weights) {
-                *weight = self.set_out([column, y + row], samplers.pixel(column), bundle).weight;
-            }
-            self.integrator.trace(bundle, &mut film.counts);
-            film.add(row * width, bundle.radiances(), &weights);
-            if film.has_layers() {
-                for (pixel, (ray, &radiance)) in (row * width..).zip(bundle.rays().zip(bundle.radiances())) {
-                    film.add_to_layers(pixel, radiance, self.integrator.first_hit(ray));
+            stream.iter_mut().for_each(RayStream::clear);
+            for x in first..(first + RayStream::LENGTH).min(width) {
+                let mut sampler = samplers.pixel(x);
+                let (origin, towards, place) = self.set_out([x, y], &mut sampler);
+                weights.push(place.weight);
+                match stream {
+                    Some(stream) => stream.push(origin, towards, &self.media, sampler),
+                    None => {
+                        let ray = Ray::new(origin, towards.normalize());
+                        radiances.push(self.integrator.radiance(&ray, &self.media, &mut sampler, counts));
+                    }
+                }
+                if self.layers {
+                    first_hits.push(self.integrator.first_hit(&Ray::new(origin, towards.normalize())));
                 }
             }
+            if let Some(stream) = stream {
+                self.integrator.trace(stream, counts);
+                radiances.extend_from_slice(stream.radiances());
+            }
         }
-        Ok(())
+        self.scene.environment.error().map_or(Ok(()), |error| Err(error.clone()))
     }
 
-    /// Adds the camera ray of a sample to a bundle.
+    /// Origin and direction, of any length, of the camera ray of a sample, and its place in the pixel.
     #[inline(always)]
-    fn set_out(&self, [x, y]: [usize; 2], mut sampler: PixelSampler, bundle: &mut Bundle) -> FilteredPlace {
-        let (place, lens_place) = self.place(&mut sampler);
+    fn set_out(&self, [x, y]: [usize; 2], sampler: &mut PixelSampler) -> (DVec3, DVec3, FilteredPlace) {
+        let (place, lens_place) = self.place(sampler);
         let (origin, towards) = self.source.sight(x as f64 + place.across, y as f64 + place.down, lens_place);
-        bundle.push(origin, towards, self.media, sampler);
-        place
+        (origin, towards, place)
     }
 
     /// The places of a sample in its pixel and on the lens.

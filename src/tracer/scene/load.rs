@@ -14,7 +14,6 @@ use crate::envmap::Environment;
 use crate::error::Result;
 use crate::lights::Light;
 use crate::materials::Material;
-use crate::math::DVec3;
 use crate::sampling::Sampling;
 use crate::shapes::Primitive;
 
@@ -69,15 +68,6 @@ impl Scene {
             shapes: Aggregate::new(Vec::new()),
             sources: Vec::new(),
         }
-    }
-
-    /// The unit normal of a flat shape that scatters light the same in all directions, and from which no shape without end
-    /// may hide the sky; `None` for others.
-    pub fn open_normal(&self, primitive: &Primitive) -> Option<DVec3> {
-        let dull = |&number: &u32| self.materials[number as usize].is_dull();
-        let endless = self.shapes.primitives().iter().filter(|other| other.bounds().is_none()).count();
-        let open = endless == usize::from(primitive.bounds().is_none());
-        primitive.flat_normal().filter(|_| open && primitive.material.numbers().iter().all(dull))
     }
 
     fn from_document(document: &Document, file: &Path, map_override: Option<PathBuf>) -> Result<Self> {

@@ -13,5 +13,5 @@ mod shape;
 pub use aggregate::Aggregate;
 pub use environment::read_lookup_file;
 pub use load::Scene;
-pub use plan::Plan;
+pub use plan::{Plan, Wing};
 pub use settings::{Caustics, IntegratorKind, IntegratorSettings, Mistake, OutputSettings, Strategy};

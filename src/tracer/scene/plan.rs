@@ -8,6 +8,29 @@ use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::Vec3;
 
+/// The code that renders a picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Wing {
+    /// The integrator as a lecture shows it.
+    Textbook,
+    /// A row of rays at once: the same bits.
+    SideBySide,
+    /// Paths that photons guide to focused light: the same mean.
+    Guided,
+}
+
+impl Wing {
+    /// What `render` calls it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Wing::Textbook => "textbook",
+            Wing::SideBySide => "side by side",
+            Wing::Guided => "guided",
+        }
+    }
+}
+
 /// Computed once from the scene, obeyed by the integrators, printed by `render`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan {
@@ -23,12 +46,13 @@ pub struct Plan {
     pub light_sampling: bool,
     /// Tables are built that draw directions by the brightness of the environment.
     pub environment_sampling: bool,
-    /// Over flat, dull surfaces the open sky is computed beforehand, and rays are sent only to the few shapes that may hide
-    /// it. (Left out after all if the sky is not even.)
-    pub open_sky: bool,
-    /// Light is sent ahead to learn where mirrors and glass focus it: there are such, and surfaces to show it. (Left out
+    /// Photons are sent out to learn where mirrors and glass focus light: there are such, and surfaces to show it. (Left out
     /// after all if no light source is small and bright.)
     pub caustics: bool,
+    /// The path tracer follows both branches of smooth glass that the camera sees: there is such glass.
+    pub branches: bool,
+    /// The code that renders.
+    pub wing: Wing,
     /// Mirror directions are followed: there is a mirror or glass.
     pub reflection: bool,
     /// Rays are followed through surfaces: there is glass.
@@ -44,9 +68,6 @@ pub struct Plan {
 }
 
 impl Plan {
-    /// Most shapes that may hide the sky from a flat surface, for it to be worth looking for each of them.
-    pub const MOST_OBSTACLES: usize = 8;
-
     /// The plan of a scene.
     pub fn new(scene: &Scene) -> Self {
         let integrator = scene.integrator.kind;
@@ -67,15 +88,22 @@ impl Plan {
             !matches!(scene.environment.kind, EnvironmentKind::Constant(Vec3::ZERO)) && scene.environment.scale > 0.0;
         let environment_sampling = samples_lights && shines;
         let light_sampling = environment_sampling || samples_lights && any(Material::shines);
-        let open_sky = environment_sampling && strategy == Strategy::Auto && has_open_surfaces(scene);
-        let searches = scene.integrator.caustics == Caustics::Auto;
+        let fast = scene.integrator.fast;
+        let caustics = fast && light_sampling && scene.integrator.caustics == Caustics::Auto && any(Material::focuses);
+        let branches = fast && path && traces && any(Material::is_smooth_glass);
+        let wing = match integrator {
+            IntegratorKind::Phong | IntegratorKind::Whitted if fast => Wing::SideBySide,
+            IntegratorKind::Path if caustics || branches => Wing::Guided,
+            _ => Wing::Textbook,
+        };
         Self {
             integrator,
             strategy,
-            caustics: light_sampling && searches && any(Material::focuses),
+            caustics,
+            branches,
+            wing,
             light_sampling,
             environment_sampling,
-            open_sky,
             // Ambient light stands in for what the path tracer computes.
             direct_light: shades && scene.lights.iter().any(|light| !path || light.casts_shadows()),
             shadow_rays: shades && shadowing && scene.lights.iter().any(Light::casts_shadows),
@@ -103,6 +131,7 @@ impl Plan {
         item(self.light_sampling && !self.environment_sampling, "black environment: no tables to sample it");
         let reason = match scene.integrator.caustics {
             _ if no_depth => "depth 0",
+            _ if !scene.integrator.fast => "textbook only",
             Caustics::Off => "caustics off",
             Caustics::Auto if !self.light_sampling => "no rays sent to lights with an extent",
             Caustics::Auto => "no mirror and no smooth glass beside other surfaces",
@@ -143,19 +172,12 @@ impl Plan {
         let count = scene.shapes.primitives().len();
         let unit = if count == 1 { "shape" } else { "shapes" };
         let reason = if scene.integrator.hierarchy {
-            format!("{count} {unit} (at most {} with bounds)", Aggregate::HANDFUL)
+            let (simple, others) = (Aggregate::MOST_SIMPLE, Aggregate::MOST_OTHERS);
+            format!("{count} {unit} (at most {simple} spheres and flat shapes with bounds, {others} other)")
         } else {
             format!("hierarchy off, {count} {unit}")
         };
         item(!self.hierarchy, &format!("{reason}: no hierarchy over them"));
         items
     }
-}
-
-/// True if there are flat, dull surfaces, and no more than a few shapes that have an end to hide the sky from them. A shape
-/// without end hides it from all others.
-fn has_open_surfaces(scene: &Scene) -> bool {
-    let primitives = scene.shapes.primitives();
-    let few = primitives.len() <= Plan::MOST_OBSTACLES + 1;
-    few && primitives.iter().any(|primitive| scene.open_normal(primitive).is_some())
 }

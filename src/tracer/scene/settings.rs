@@ -19,6 +19,8 @@ pub struct IntegratorSettings {
     pub strategy: Strategy,
     /// Whether the path tracer sends light ahead to learn where glass and mirrors focus it.
     pub caustics: Caustics,
+    /// Faster code than the textbook's is used where it applies.
+    pub fast: bool,
     /// A hierarchy is built over more than a handful of shapes.
     pub hierarchy: bool,
     /// A mistake made on purpose, for lessons.
@@ -37,8 +39,7 @@ pub enum Mistake {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Strategy {
-    /// `mis`, but where the only light is an even sky `bsdf`: rays to its brightest parts are not worth their time. Over
-    /// flat Lambert surfaces such a sky is computed beforehand, and rays go only to the few shapes that may hide it.
+    /// `mis`, but where the only light is a uniform sky `bsdf`: rays to its brightest parts are not worth their time.
     #[default]
     Auto,
     /// Only where the material sends rays: good for large lights and sharp materials.
@@ -92,6 +93,7 @@ impl Default for IntegratorSettings {
             weight_cutoff: 1.0 / 1024.0,
             strategy: Strategy::default(),
             caustics: Caustics::default(),
+            fast: true,
             hierarchy: true,
             mistake: None,
         }
@@ -149,6 +151,9 @@ impl IntegratorSettings {
         }
         if let Some(caustics) = table.optional("caustics") {
             settings.caustics = caustics.choice(&[("auto", Caustics::Auto), ("off", Caustics::Off)])?;
+        }
+        if let Some(fast) = table.optional("fast") {
+            settings.fast = fast.boolean()?;
         }
         if let Some(hierarchy) = table.optional("hierarchy") {
             settings.hierarchy = hierarchy.choice(&[("auto", true), ("off", false)])?;

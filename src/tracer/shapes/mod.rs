@@ -9,14 +9,14 @@ mod cuboid;
 mod extent;
 mod flat;
 pub mod mesh;
-mod outlook;
 mod primitive;
 mod sampling;
 mod sphere;
+mod view_cones;
 
 pub use balls::Balls;
 pub use extent::BoundingBall;
 pub use flat::Outline;
-pub use outlook::Outlook;
 pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};
 pub use sampling::{ShapeSample, ShapeSampler};
+pub use view_cones::ViewCones;

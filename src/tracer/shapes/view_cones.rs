@@ -22,7 +22,7 @@ const REACH: f64 = 1e5;
 
 /// Four balls as seen from a point.
 #[derive(Debug, Clone)]
-pub struct Outlook {
+pub struct ViewCones {
     point: DVec3,
     /// From the point to the centres, by axis.
     towards: [[f64; LANES]; 3],
@@ -32,16 +32,16 @@ pub struct Outlook {
     reach: f64,
 }
 
-impl Outlook {
+impl ViewCones {
     /// The view of the balls from a point.
     pub fn new(balls: &Balls, point: DVec3) -> Self {
-        let mut outlook =
+        let mut view_cones =
             Self { point, towards: balls.centre, threshold: [f64::INFINITY; LANES], reach: f64::INFINITY };
         for lane in 0..LANES {
             let mut squared_distance = 0.0;
             for axis in 0..3 {
                 let component = balls.centre[axis][lane] - point[axis];
-                outlook.towards[axis][lane] = component;
+                view_cones.towards[axis][lane] = component;
                 squared_distance += component * component;
             }
             if balls.squared_radius[lane] < 0.0 {
@@ -52,10 +52,10 @@ impl Outlook {
             let largest = (0..3).map(|axis| balls.centre[axis][lane].abs()).fold(radius, f64::max);
             let widened = radius + (largest + radius) * (1.0 / (1u64 << 50) as f64);
             let threshold = squared_distance * (1.0 - SLACK) - widened * widened;
-            outlook.threshold[lane] = if threshold > 0.0 { threshold } else { f64::NEG_INFINITY };
-            outlook.reach = outlook.reach.min(REACH * squared_distance.sqrt());
+            view_cones.threshold[lane] = if threshold > 0.0 { threshold } else { f64::NEG_INFINITY };
+            view_cones.reach = view_cones.reach.min(REACH * squared_distance.sqrt());
         }
-        outlook
+        view_cones
     }
 
     /// Where it is seen from.
@@ -85,16 +85,16 @@ mod tests {
     use crate::math::Ray;
 
     /// A ball of a radius at the distance 1 along x, alone.
-    fn outlook(radius: f64) -> Outlook {
-        Outlook::new(&Balls::new(&[(0, DVec3::X, radius)]), DVec3::ZERO)
+    fn view_cones(radius: f64) -> ViewCones {
+        ViewCones::new(&Balls::new(&[(0, DVec3::X, radius)]), DVec3::ZERO)
     }
 
     #[test]
     fn no_less_and_little_more_than_the_cone_of_the_ball_passes() {
         for radius in [1e-3, 0.1, 0.5, 0.999] {
-            let outlook = outlook(radius);
+            let view_cones = view_cones(radius);
             let rim = libm::asin(radius);
-            let passes = |angle: f64| outlook.may_meet(DVec3::new(libm::cos(angle), libm::sin(angle), 0.0), 0.0);
+            let passes = |angle: f64| view_cones.may_meet(DVec3::new(libm::cos(angle), libm::sin(angle), 0.0), 0.0);
             // The slack widens the squared sine of the half angle by itself.
             let slack = 2.0 * SLACK / radius.min(libm::cos(rim));
             assert!(passes(0.0) && passes(rim - 1e-12) && passes(-rim + 1e-12), "{radius}");
@@ -105,9 +105,9 @@ mod tests {
 
     #[test]
     fn from_inside_and_from_too_far_away_nothing_is_ruled_out() {
-        assert!(outlook(1.5).may_meet(DVec3::NEG_X, 0.0));
-        assert!(outlook(0.1).may_meet(DVec3::NEG_X, 2.0 * REACH));
-        let empty = Outlook::new(&Balls::new(&[]), DVec3::ZERO);
+        assert!(view_cones(1.5).may_meet(DVec3::NEG_X, 0.0));
+        assert!(view_cones(0.1).may_meet(DVec3::NEG_X, 2.0 * REACH));
+        let empty = ViewCones::new(&Balls::new(&[]), DVec3::ZERO);
         assert!(!empty.may_meet(DVec3::X, 1e300));
     }
 
@@ -134,14 +134,14 @@ mod tests {
             let direction = (centre / distance * cosine + across * sine).normalize();
             let balls = Balls::new(&[(0, centre, radius)]);
             let met = |ray: &Ray, limit: f64| balls.hits(ray, |_, t| t < limit);
-            let outlook = Outlook::new(&balls, DVec3::ZERO);
+            let view_cones = ViewCones::new(&balls, DVec3::ZERO);
             if met(&Ray::new(DVec3::ZERO, direction), f64::INFINITY) {
-                prop_assert!(outlook.may_meet(direction, 0.0));
+                prop_assert!(view_cones.may_meet(direction, 0.0));
             }
             let start = direction * (distance * beyond);
             let back = -start.normalize();
             if met(&Ray::new(start, back), start.length()) {
-                prop_assert!(outlook.may_meet(-back, start.length()));
+                prop_assert!(view_cones.may_meet(-back, start.length()));
             }
         }
     }

@@ -14,7 +14,7 @@ const CONCENTRATED: f64 = 0.1;
 const EVEN: f64 = 0.02;
 
 /// The light sources with extent.
-pub(super) struct LightTables {
+pub struct LightTables {
     /// `None` if the plan leaves it out or the environment is black.
     environment: Option<EnvironmentSampler>,
     /// Probability of choosing the environment.
@@ -37,7 +37,7 @@ struct ShapeLight {
 }
 
 /// A direction in which a light was found.
-pub(super) struct LightSample {
+pub struct LightSample {
     pub direction: DVec3,
     /// By solid angle, over all lights.
     pub density: f64,
@@ -179,4 +179,35 @@ fn shape_lights(scene: &Scene) -> Vec<ShapeLight> {
         }
     }
     lights
+}
+
+/// What a sample counts that was chosen with one density where another technique would have chosen it with the other: the
+/// power heuristic with exponent 2, in `[0, 1]` (Veach, Robust Monte Carlo Methods for Light Transport Simulation, 1997,
+/// section 9.2.3). The weights of both techniques add up to 1.
+#[inline]
+pub fn power_heuristic(density: f64, other: f64) -> f32 {
+    // Divided through by the density's square, which may overflow.
+    let ratio = other / density;
+    (1.0 / (1.0 + ratio * ratio)) as f32
+}
+
+/// What light counts that the path met by chance; `sampled` is the density with which rays to the lights would have found it.
+pub fn weight_of_chance(strategy: Strategy, chosen: Option<f64>, sampled: impl FnOnce() -> f64) -> f32 {
+    match (chosen, strategy) {
+        (None, _) | (_, Strategy::Bsdf) => 1.0,
+        (_, Strategy::Light) => f32::from(u8::from(sampled() <= 0.0)),
+        (Some(density), _) => power_heuristic(density, sampled()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn weights_of_both_techniques_add_up_to_one() {
+        for (a, b) in [(1.0, 1.0), (1e-3, 7.0), (1e200, 1e-200), (3.0, 0.0), (1e300, 1e300)] {
+            assert!((power_heuristic(a, b) + power_heuristic(b, a) - 1.0).abs() < 1e-6, "{a} {b}");
+        }
+    }
 }

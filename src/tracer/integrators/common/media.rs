@@ -8,7 +8,7 @@ use crate::shapes::Surface;
 
 /// What the glasses of a scene do with light.
 #[derive(Clone, Copy)]
-pub(super) struct Media<'a> {
+pub struct Media<'a> {
     pub scene: &'a Scene,
     /// False if no glass weakens light.
     pub absorption: bool,
@@ -44,19 +44,19 @@ impl Media<'_> {
 
 /// The glass a ray came through to a surface: see [`MediumStack::before`].
 #[inline]
-pub(super) fn medium_before(media: &MediumStack, surface: &Surface, view: &View) -> Option<Medium> {
+pub fn medium_before(media: &MediumStack, surface: &Surface, view: &View) -> Option<Medium> {
     media.before(met(surface), view.side)
 }
 
 /// The glass on the far side of a surface that light passes; `None` if that is free space.
 #[inline]
-pub(super) fn medium_beyond(media: &MediumStack, surface: &Surface, view: &View) -> Option<Medium> {
+pub fn medium_beyond(media: &MediumStack, surface: &Surface, view: &View) -> Option<Medium> {
     media.innermost_beyond(met(surface), view.side)
 }
 
 /// Passes a surface with light: `media` become the glasses on the far side.
 #[inline]
-pub(super) fn pass(media: &mut MediumStack, surface: &Surface, view: &View) {
+pub fn pass(media: &mut MediumStack, surface: &Surface, view: &View) {
     media.pass(met(surface), view.side);
 }
 
@@ -68,7 +68,7 @@ fn met(surface: &Surface) -> Medium {
 
 /// The same by the number of its material.
 #[inline]
-pub(super) fn enclosed(surface: SurfaceId, material: u32) -> Medium {
+pub fn enclosed(surface: SurfaceId, material: u32) -> Medium {
     Medium { shape: surface.shape, material }
 }
 

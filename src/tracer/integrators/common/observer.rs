@@ -1,6 +1,6 @@
 //! Watching an integrator at work: what `skycube trace` prints.
 //!
-//! Integrators are written once, over an [`Observer`]. [`Blind`] sees nothing, and everything about it compiles away;
+//! The textbook's integrators are written over an [`Observer`]. [`Blind`] sees nothing, and everything about it compiles away;
 //! [`Recorder`] keeps every event. Events are made by closures, so that a blind observer does not pay for making them.
 
 use crate::math::{DVec3, Ray, Side, Vec3};
@@ -40,8 +40,6 @@ pub enum RayKind {
     Refracted,
     /// The next ray of a random path.
     Scattered,
-    /// Through mirrors and glass towards a light, where focused light was found before.
-    Focused,
 }
 
 /// What happens to a light at a surface.
@@ -85,8 +83,6 @@ pub enum Event {
     },
     /// It hit nothing, and nothing is taken: black.
     Nothing,
-    /// It hit nothing, and the sky there was taken before, as open sky.
-    OpenSky,
     Hit {
         surface: Surface,
         side: Side,

@@ -1,13 +1,13 @@
 //! A surface where a path arrived, and the rays that leave it.
 
-use super::super::media::{Media, medium_before, medium_beyond, pass};
-use super::super::view::View;
+use super::media::{Media, medium_before, medium_beyond, pass};
+use super::view::View;
 use crate::materials::{Material, MediumStack, Scattering, ScatteringSample};
 use crate::math::{DVec3, Departure, Frame, Ray};
 use crate::shapes::Surface;
 
 /// A surface where a path arrived.
-pub(super) struct Vertex<'s> {
+pub struct Vertex<'s> {
     pub surface: Surface,
     pub view: View,
     pub frame: Frame,

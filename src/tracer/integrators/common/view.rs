@@ -1,7 +1,7 @@
 //! A surface as a ray sees it.
 
 use super::observer::Event;
-use crate::math::{DVec3, Ray, Side, SurfaceId, Vec3};
+use crate::math::{DVec3, Ray, Side, Vec3};
 use crate::shapes::Surface;
 
 /// A surface as the ray sees it: the normals turned to the ray's side.
@@ -34,16 +34,4 @@ impl View {
         let Self { side, shading_normal, .. } = *self;
         Event::Hit { surface: *surface, side, shading_normal, distance, cosine, transmittance }
     }
-}
-
-/// Where a ray met a surface: what is needed to send other rays from there.
-#[derive(Clone, Copy)]
-pub struct Vertex {
-    /// Number of the ray among those traced side by side.
-    pub path: usize,
-    pub position: DVec3,
-    pub id: SurfaceId,
-    /// Number of the material in the scene.
-    pub material: u32,
-    pub view: View,
 }

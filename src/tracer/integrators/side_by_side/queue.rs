@@ -1,9 +1,10 @@
 //! Rays of the same depth, and what is found of them step by step.
 
-use super::super::direct::Lit;
-use super::branch::{Glass, Mirror};
+use crate::integrators::common::appearance::Reflection;
+use crate::integrators::common::view::View;
 use crate::materials::MediumStack;
-use crate::math::{Ray, Vec3};
+use crate::materials::fresnel::Boundary;
+use crate::math::{DVec3, Ray, SurfaceId, Vec3};
 use crate::shapes::{Hit, Surface};
 
 /// A ray on its way, with what it carries.
@@ -12,22 +13,54 @@ pub struct Path {
     /// Share of the pixel that this ray's radiance counts for, by channel.
     pub weight: Vec3,
     /// Number of the camera ray that it comes from.
-    pub lane: usize,
+    pub camera_ray: usize,
     /// The glasses the ray is inside of.
     pub media: MediumStack,
 }
 
 /// A ray that met something.
 pub struct Meeting {
-    /// Its number in the level.
+    /// Its number in the queue.
     pub path: usize,
     pub distance: f64,
     pub surface: Surface,
 }
 
+/// Where a ray met a surface: what is needed to send other rays from there.
+#[derive(Clone, Copy)]
+pub struct Origin {
+    /// Number of the ray in the queue.
+    pub path: usize,
+    pub position: DVec3,
+    pub id: SurfaceId,
+    /// Number of the material in the scene.
+    pub material: u32,
+    pub view: View,
+}
+
+/// A surface that reflects the light of sources.
+pub struct Lit {
+    pub origin: Origin,
+    pub reflection: Reflection,
+}
+
+/// A mirror that a ray met.
+pub struct Mirror {
+    pub origin: Origin,
+    pub colour: Vec3,
+}
+
+/// A glass that a ray met.
+pub struct Glass {
+    pub origin: Origin,
+    /// Index of refraction on the ray's side over that beyond.
+    pub relative_index: f64,
+    pub boundary: Boundary,
+}
+
 /// Where a ray was sent on.
 pub struct Sender {
-    /// Number of the ray in the level above.
+    /// Number of the ray in the queue above.
     pub path: usize,
     /// Factor on what is brought back.
     pub factor: Vec3,
@@ -35,7 +68,7 @@ pub struct Sender {
 
 /// Rays of the same depth. The room is used again and again.
 #[derive(Default)]
-pub struct Level {
+pub struct Queue {
     pub paths: Vec<Path>,
     /// For each ray, if they were sent on: by what.
     pub senders: Vec<Sender>,
@@ -49,7 +82,7 @@ pub struct Level {
 pub struct Found {
     /// What each ray brings back, as far as it is known.
     pub radiances: Vec<Vec3>,
-    /// Share of the light that is left after the way of each ray; empty if no glass weakens light.
+    /// Share of the light that glass on the way of each ray leaves; empty if no glass weakens light.
     pub transmittances: Vec<Vec3>,
     /// Surfaces that lights shine on.
     pub lit: Vec<Lit>,
@@ -59,7 +92,7 @@ pub struct Found {
 }
 
 impl Found {
-    /// Makes room for a count of rays.
+    /// Makes room for a number of rays.
     pub fn clear(&mut self, rays: usize) {
         self.radiances.clear();
         self.radiances.resize(rays, Vec3::ZERO);
@@ -69,14 +102,14 @@ impl Found {
         self.glasses.clear();
     }
 
-    /// Share of the light that is left after the way of a ray.
+    /// Share of the light that glass on the way of a ray leaves.
     #[inline]
     pub fn transmittance(&self, ray: usize) -> Vec3 {
         self.transmittances.get(ray).copied().unwrap_or(Vec3::ONE)
     }
 }
 
-impl Level {
+impl Queue {
     /// Removes all rays.
     pub fn clear(&mut self) {
         self.paths.clear();
@@ -85,7 +118,7 @@ impl Level {
 
     /// Adds a ray.
     #[inline]
-    pub fn push(&mut self, ray: Ray, weight: Vec3, lane: usize, media: MediumStack) {
-        self.paths.push(Path { ray, weight, lane, media });
+    pub fn push(&mut self, ray: Ray, weight: Vec3, camera_ray: usize, media: MediumStack) {
+        self.paths.push(Path { ray, weight, camera_ray, media });
     }
 }

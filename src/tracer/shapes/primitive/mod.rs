@@ -110,6 +110,11 @@ impl Primitive {
         Self { geometry, transform, material, casts_shadow, textured: true, kernel }
     }
 
+    /// True for flat shapes and round spheres, which cost a ray less than a box around them would.
+    pub fn is_simple(&self) -> bool {
+        matches!(self.kernel, Kernel::Flat { .. } | Kernel::Ball { .. })
+    }
+
     /// True for meshes of triangles.
     pub fn is_mesh(&self) -> bool {
         matches!(self.kernel, Kernel::Mesh(_))
@@ -119,14 +124,6 @@ impl Primitive {
     pub fn as_ball(&self) -> Option<(DVec3, f64)> {
         match self.kernel {
             Kernel::Ball { centre, radius, .. } => Some((centre, radius)),
-            _ => None,
-        }
-    }
-
-    /// Unit normal in the world, if this is a flat shape.
-    pub fn flat_normal(&self) -> Option<DVec3> {
-        match self.kernel {
-            Kernel::Flat { normal, .. } => Some(normal),
             _ => None,
         }
     }

@@ -1,10 +1,10 @@
 //! Light on its way through glass and mirrors, from the source to the first surface that scatters it.
 
-use super::super::super::media::Media;
-use super::super::super::view::View;
-use super::super::vertex::Vertex;
 use super::way::Turn;
 use crate::colour::luminance;
+use crate::integrators::common::media::Media;
+use crate::integrators::common::vertex::Vertex;
+use crate::integrators::common::view::View;
 use crate::materials::{MediumStack, ScatteringSample};
 use crate::math::{DVec3, Ray};
 use crate::scene::{Plan, Scene};
@@ -119,7 +119,7 @@ fn landing(vertex: &Vertex, ray: &Ray) -> Landing {
 /// [`Scattering::sample`](crate::materials::Scattering::sample) chooses it; `None` if there is none on that side, or if the
 /// surface is neither.
 #[inline]
-pub(in super::super) fn branch(vertex: &Vertex, transmitted: bool) -> Option<(ScatteringSample, f64)> {
+pub fn branch(vertex: &Vertex, transmitted: bool) -> Option<(ScatteringSample, f64)> {
     if !vertex.scattering.is_specular() {
         return None;
     }
@@ -134,7 +134,7 @@ pub(in super::super) fn branch(vertex: &Vertex, transmitted: bool) -> Option<(Sc
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integrators::path::caustics::way::WayCode;
+    use crate::integrators::guided::caustics::way::WayCode;
 
     #[test]
     fn light_divides_among_its_ways_and_lands_where_it_is_followed_to() {

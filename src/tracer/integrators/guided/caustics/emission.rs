@@ -8,8 +8,8 @@
 //!           \  \  (   disc  )
 //! ```
 
-use super::super::lights::LightTables;
 use crate::colour::luminance;
+use crate::integrators::common::lights::LightTables;
 use crate::math::{Bounds, DVec3, Frame, Ray};
 use crate::sampling::PixelSampler;
 use crate::sampling::warp::concentric_disc;

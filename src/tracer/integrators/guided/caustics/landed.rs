@@ -1,10 +1,10 @@
 //! Light sent ahead: bundles of rays, and where they land.
 
-use super::super::lights::LightTables;
 use super::chain::{Chain, ChainTracer};
 use super::emission::{Bundle, Casters};
 use super::photon::Photon;
 use super::spread::Spread;
+use crate::integrators::common::lights::LightTables;
 use crate::math::DVec3;
 use crate::parallel;
 use crate::sampling::{PixelSampler, Sampling};

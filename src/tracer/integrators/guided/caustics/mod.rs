@@ -16,7 +16,7 @@ mod way;
 
 use std::collections::BTreeMap;
 
-use super::lights::LightTables;
+use crate::integrators::common::lights::LightTables;
 use crate::math::DVec3;
 use crate::sampling::warp::among_weights;
 use crate::scene::{Plan, Scene};
@@ -24,8 +24,8 @@ use landed::{Landed, LightAhead};
 use photon::{Forecast, Photon};
 use tree::{HANDFUL, PhotonTree};
 
-pub(super) use chain::branch;
-pub(super) use way::{Turn, WayCode};
+pub use chain::branch;
+pub use way::{Turn, WayCode};
 
 /// Most ways that are searched for; the weaker ones are left to chance.
 const MOST_WAYS: usize = 16;
@@ -36,7 +36,7 @@ const MOST_PHOTONS: usize = 32_768;
 const EVEN_SHARE: f64 = 0.15;
 
 /// Where focused light comes from, all over the scene.
-pub(super) struct CausticGuide {
+pub struct CausticGuide {
     ways: Vec<Way>,
     /// The photons of all ways, which tell how much of the light around a place took which.
     all: PhotonTree,
@@ -95,13 +95,13 @@ fn strongest(landed: &[Landed]) -> Vec<(WayCode, Vec<&Landed>)> {
 
 /// The directions in which focused light is seen from a place.
 #[derive(Clone, Copy)]
-pub(super) struct Directions<'g> {
+pub struct Directions<'g> {
     guide: &'g CausticGuide,
     point: DVec3,
 }
 
 /// A direction in which light may be seen that took a certain way.
-pub(super) struct FocusedDirection<'g> {
+pub struct FocusedDirection<'g> {
     pub direction: DVec3,
     /// By solid angle, of all directions drawn for this way.
     pub density: f64,

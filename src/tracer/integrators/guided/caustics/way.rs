@@ -2,14 +2,14 @@
 
 /// One meeting with glass or a mirror.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in super::super) struct Turn {
+pub struct Turn {
     pub shape: u32,
     pub transmitted: bool,
 }
 
 /// The turns of a way in one number; ways with the same turns have the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(in super::super) struct WayCode(u64);
+pub struct WayCode(u64);
 
 impl WayCode {
     /// Of no turns.
