@@ -24,7 +24,10 @@ fn render_writes_a_picture_and_says_what_it_did() {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     assert_eq!(files(folder.path()), ["environment-with.png"]);
     let report = text(&output.stdout);
-    assert!(report.starts_with("wrote environment-with.png: 48 x 30 pixels, 1 sample each, whitted\n"), "{report}");
+    assert!(
+        report.starts_with("wrote environment-with.png: 48 x 30 pixels, 1 sample each, whitted, side by side\n"),
+        "{report}"
+    );
     for part in ["time  ", "rays  ", "camera 1 440", "left out\n"] {
         assert!(report.contains(part), "{report}");
     }

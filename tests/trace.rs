@@ -22,6 +22,8 @@ fn scene(kind: IntegratorKind, samples: u32) -> Scene {
     scene.camera = scene.camera.resized([12, 8]);
     scene.integrator.kind = kind;
     scene.samples = samples;
+    // Guided paths have other noise than those that are watched.
+    scene.integrator.fast = kind != IntegratorKind::Path;
     scene
 }
 
@@ -105,6 +107,7 @@ fn the_command_tells_the_colour_that_the_picture_holds() {
     let size = ["--size", "24x16", "--samples", "3"];
     for kind in ["normals", "phong", "whitted", "path"] {
         let more = [&size[..], &["--integrator", kind]].concat();
+        let more = if kind == "path" { [&more[..], &["--textbook"]].concat() } else { more };
         let (code, _, error) = skycube(folder.path(), &[&["render", LESSON, "-o", "a.exr"], &more[..]].concat());
         assert_eq!(code, Some(0), "{error}");
         let picture = skycube::picture::read(&folder.path().join("a.exr")).unwrap();
@@ -118,6 +121,24 @@ fn the_command_tells_the_colour_that_the_picture_holds() {
                 json["colour"].as_array().unwrap().iter().map(|v| (v.as_f64().unwrap() as f32).to_bits()).collect();
             assert_eq!(told, bits(picture.texel(x, y)), "{kind} {pixel}");
         }
+    }
+}
+
+#[test]
+fn a_trace_says_where_the_picture_has_other_noise() {
+    let folder = tempfile::tempdir().unwrap();
+    let scene = "camera = { position = [0, -5, 1], target = [0, 0, 1], size = [8, 8], samples = 2 }\n\
+        integrator = { kind = \"path\" }\nmaterials.floor = { kind = \"lambert\", colour = 0.5 }\n\
+        materials.glass = { kind = \"glass\" }\nmaterials.lamp = { kind = \"light\", radiance = 9 }\n\
+        shapes = [{ kind = \"plane\", material = \"floor\" },\n\
+        { kind = \"sphere\", centre = [0, 0, 1], radius = 0.7, material = \"glass\" },\n\
+        { kind = \"sphere\", centre = [1, 0, 3], radius = 0.2, material = \"lamp\" }]\n";
+    std::fs::write(folder.path().join("a.toml"), scene).unwrap();
+    let said = "The picture is rendered by guided paths, with the same mean and other noise";
+    for (more, noted) in [(&[][..], true), (&["--textbook"], false)] {
+        let arguments = [&["trace", "a.toml", "--pixel", "4,4"], more].concat();
+        let (code, text, error) = skycube(folder.path(), &arguments);
+        assert_eq!((code, text.contains(said)), (Some(0), noted), "{text}{error}");
     }
 }
 

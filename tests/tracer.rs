@@ -212,7 +212,7 @@ fn without_depth_the_path_tracer_leaves_out_for_that_reason() {
     depth 0: no light sent ahead to find caustics
     depth 0: no reflected or refracted rays
     no environment picture: nothing decoded
-    2 shapes (at most 4 with bounds): no hierarchy over them
+    2 shapes, too few: no hierarchy over them
     ");
 }
 
@@ -228,7 +228,7 @@ fn the_plan_leaves_out_what_the_scene_does_not_need() {
     no lights: no direct light, no shadow rays
     no mirror and no glass: no reflected rays
     no environment picture: nothing decoded
-    1 shape (at most 4 with bounds): no hierarchy over them
+    1 shape, too few: no hierarchy over them
     ");
 
     let mirror = scene(

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::integrators::{Blind, Event, Recorder};
 use crate::math::Vec3;
 use crate::render::{PixelSample, Renderer};
-use crate::scene::{Plan, Scene};
+use crate::scene::{Plan, Scene, Wing};
 
 /// How a pixel gets its colour.
 #[derive(Debug, Clone)]
@@ -17,7 +17,7 @@ pub struct PixelTrace {
     pub shown: u32,
     /// What happened on the way of that sample.
     pub events: Vec<Event>,
-    /// Linear radiance: the same bits that the renderer writes.
+    /// Linear radiance: the same bits that the renderer writes, or where it guides paths, one of the same mean.
     pub colour: Vec3,
 }
 
@@ -25,7 +25,9 @@ impl PixelTrace {
     /// Takes all samples of a pixel, and watches one of them. An error tells that a picture of the environment cannot be
     /// decoded.
     pub fn of(scene: &Scene, plan: &Plan, pixel: [usize; 2], shown: u32) -> Result<Self> {
-        let renderer = Renderer::new(scene, plan)?;
+        // Only the textbook's code is watched.
+        let plan = Plan { wing: Wing::Textbook, ..*plan };
+        let renderer = Renderer::new(scene, &plan)?;
         let mut recorder = Recorder::default();
         let samples: Vec<PixelSample> = (0..scene.samples)
             .map(|index| match index == shown {

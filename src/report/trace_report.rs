@@ -8,7 +8,7 @@ use crate::PixelTrace;
 use crate::colour::{Encoding, ToneMap};
 use crate::integrators::{Event, RayKind};
 use crate::math::Vec3;
-use crate::scene::{IntegratorKind, OutputSettings, Plan, Scene};
+use crate::scene::{IntegratorKind, OutputSettings, Plan, Scene, Wing};
 
 /// Samples listed one by one at most.
 const LISTED: usize = 16;
@@ -128,6 +128,10 @@ impl fmt::Display for TraceReport<'_> {
             "{}: pixel ({x}, {y}), sample {shown} of {count} (counted from 0), {integrator}\n",
             self.file
         )?;
+        if self.plan.wing == Wing::Guided {
+            let same = "with the same mean and other noise";
+            writeln!(formatter, "The picture is rendered by guided paths, {same}; these are the textbook's.\n")?;
+        }
         self.write_events(formatter)?;
         self.write_sum(formatter)
     }

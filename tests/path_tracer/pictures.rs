@@ -111,7 +111,7 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     no rays sent to lights with an extent: no light sent ahead to find caustics
     no glass: no refracted rays, no media
     no environment picture: nothing decoded
-    1 shape (at most 4 with bounds): no hierarchy over them
+    1 shape, too few: no hierarchy over them
     ");
     let matt = "materials.a = { kind = \"lambert\", colour = 1 }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
     insta::assert_snapshot!(left_out(matt), @r"
@@ -120,14 +120,14 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     no rays sent to lights with an extent: no light sent ahead to find caustics
     no glass: no refracted rays, no media
     no environment picture: nothing decoded
-    1 shape (at most 4 with bounds): no hierarchy over them
+    1 shape, too few: no hierarchy over them
     ");
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{matt}")), @r"
     no point, spot or directional light: no rays to such
     no mirror and no smooth glass beside other surfaces: no light sent ahead to find caustics
     no glass: no refracted rays, no media
     no environment picture: nothing decoded
-    1 shape (at most 4 with bounds): no hierarchy over them
+    1 shape, too few: no hierarchy over them
     ");
     let counts = rendering(&scene(&format!("{FURNACE}{mirror}"))).counts;
     assert_eq!((counts.shadow, counts.refracted), (0, 0));

@@ -1,6 +1,5 @@
 //! The plan: what a scene needs, and what is left out because it does not need it.
 
-use super::Aggregate;
 use super::load::Scene;
 use super::settings::{Caustics, IntegratorKind, Strategy};
 use crate::envmap::EnvironmentKind;
@@ -172,8 +171,7 @@ impl Plan {
         let count = scene.shapes.primitives().len();
         let unit = if count == 1 { "shape" } else { "shapes" };
         let reason = if scene.integrator.hierarchy {
-            let (simple, others) = (Aggregate::MOST_SIMPLE, Aggregate::MOST_OTHERS);
-            format!("{count} {unit} (at most {simple} spheres and flat shapes with bounds, {others} other)")
+            format!("{count} {unit}, too few")
         } else {
             format!("hierarchy off, {count} {unit}")
         };
