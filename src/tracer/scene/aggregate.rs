@@ -1,8 +1,8 @@
 //! All shapes of a scene, and the way to find those a ray meets.
 
-use crate::bvh::{FloatBox, Hierarchy, Visit};
+use crate::bvh::{FloatBox, Hierarchy, TextbookHierarchy, Visit};
 use crate::materials::MediumStack;
-use crate::math::{DVec3, Ray, Side, SurfaceId};
+use crate::math::{Bounds, DVec3, Ray, Side, SurfaceId};
 use crate::shapes::{Balls, Hit, Outlook, Primitive, Surface};
 
 /// No shape has this number.
@@ -24,9 +24,16 @@ pub struct Aggregate {
 /// The shapes that have bounds, under a hierarchy.
 #[derive(Debug)]
 struct BoxedShapes {
-    hierarchy: Hierarchy,
+    hierarchy: AnyHierarchy,
     /// Shape numbers in the order of the hierarchy's boxes.
     shapes: Vec<u32>,
+}
+
+/// Both find the same.
+#[derive(Debug)]
+enum AnyHierarchy {
+    Fast(Hierarchy),
+    Textbook(TextbookHierarchy),
 }
 
 impl Aggregate {
@@ -34,21 +41,27 @@ impl Aggregate {
     /// (measured by the benchmark `scenes`).
     pub const HANDFUL: usize = 4;
 
-    /// Builds what the count of shapes asks for.
+    /// Puts more than a handful of shapes under the fast hierarchy.
     pub fn new(primitives: Vec<Primitive>) -> Self {
-        let numbers = || 0..primitives.len() as u32;
-        let bounds: Vec<_> = primitives.iter().map(Primitive::bounds).collect();
-        let bounded: Vec<u32> = numbers().filter(|&shape| bounds[shape as usize].is_some()).collect();
-        if bounded.len() <= Self::HANDFUL {
+        Self::with_hierarchy(primitives, |boxes| {
+            let boxes: Vec<FloatBox> = boxes.iter().map(FloatBox::containing).collect();
+            AnyHierarchy::Fast(Hierarchy::build(&boxes))
+        })
+    }
+
+    /// Puts more than a handful of shapes under the hierarchy of lesson 10, which finds the same.
+    pub fn with_textbook_hierarchy(primitives: Vec<Primitive>) -> Self {
+        Self::with_hierarchy(primitives, |boxes| AnyHierarchy::Textbook(TextbookHierarchy::build(boxes)))
+    }
+
+    fn with_hierarchy(primitives: Vec<Primitive>, build: impl FnOnce(&[Bounds]) -> AnyHierarchy) -> Self {
+        let boxes: Vec<Bounds> = primitives.iter().filter_map(Primitive::bounds).collect();
+        if boxes.len() <= Self::HANDFUL {
             return Self::without_hierarchy(primitives);
         }
-        let boxes: Vec<FloatBox> = bounded
-            .iter()
-            .filter_map(|&shape| bounds[shape as usize])
-            .map(|bounds| FloatBox::containing(&bounds))
-            .collect();
-        let listed = numbers().filter(|&shape| bounds[shape as usize].is_none()).collect();
-        let hierarchy = Some(BoxedShapes { hierarchy: Hierarchy::build(&boxes), shapes: bounded });
+        let is_bounded = |shape: &u32| primitives[*shape as usize].bounds().is_some();
+        let (shapes, listed) = (0..primitives.len() as u32).partition(is_bounded);
+        let hierarchy = Some(BoxedShapes { hierarchy: build(&boxes), shapes });
         Self { primitives, balls: Vec::new(), listed, meshes: Vec::new(), hierarchy }
     }
 
@@ -149,19 +162,24 @@ impl Aggregate {
     }
 
     fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, mut nearest: Hit) -> Hit {
-        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return nearest };
-        boxed.hierarchy.traverse(
-            &walk,
-            nearest.t,
-            |_| {},
-            |leaf| {
-                for &index in boxed.hierarchy.leaf(leaf) {
-                    let shape = boxed.shapes[index as usize];
-                    nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
-                }
-                Visit::Closer(nearest.t)
-            },
-        );
+        let limit = nearest.t;
+        let mut test = |index: u32| {
+            let shape = boxed.shapes[index as usize];
+            nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
+            nearest.t
+        };
+        match &boxed.hierarchy {
+            AnyHierarchy::Textbook(hierarchy) => hierarchy.intersect(ray.origin, ray.direction, limit, test),
+            AnyHierarchy::Fast(hierarchy) => {
+                let Some(walk) = hierarchy.ray(ray.origin, ray.direction) else { return nearest };
+                hierarchy.traverse(
+                    &walk,
+                    limit,
+                    |_| {},
+                    |leaf| Visit::Closer(hierarchy.leaf(leaf).iter().fold(f64::INFINITY, |_, &index| test(index))),
+                );
+            }
+        }
         nearest
     }
 
@@ -205,19 +223,24 @@ impl Aggregate {
             return true;
         }
         let Some(boxed) = &self.hierarchy else { return false };
-        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return false };
-        let mut found = false;
-        boxed.hierarchy.traverse(
-            &walk,
-            limit,
-            |_| {},
-            |leaf| {
-                let mut shapes = boxed.hierarchy.leaf(leaf).iter().map(|&index| boxed.shapes[index as usize]);
-                found = shapes.any(|shape| self.stops::<SHADOWING>(shape, ray, limit));
-                if found { Visit::Stop } else { Visit::Continue }
-            },
-        );
-        found
+        let stops = |index: u32| self.stops::<SHADOWING>(boxed.shapes[index as usize], ray, limit);
+        match &boxed.hierarchy {
+            AnyHierarchy::Textbook(hierarchy) => hierarchy.occluded(ray.origin, ray.direction, limit, stops),
+            AnyHierarchy::Fast(hierarchy) => {
+                let Some(walk) = hierarchy.ray(ray.origin, ray.direction) else { return false };
+                let mut found = false;
+                hierarchy.traverse(
+                    &walk,
+                    limit,
+                    |_| {},
+                    |leaf| {
+                        found = hierarchy.leaf(leaf).iter().any(|&index| stops(index));
+                        if found { Visit::Stop } else { Visit::Continue }
+                    },
+                );
+                found
+            }
+        }
     }
 
     /// True if the shape counts: for shadows, only what casts them.

@@ -2,7 +2,7 @@
 
 use super::Aggregate;
 use super::load::Scene;
-use super::settings::{Caustics, IntegratorKind, Strategy};
+use super::settings::{Caustics, HierarchyChoice, IntegratorKind, Strategy};
 use crate::envmap::EnvironmentKind;
 use crate::lights::Light;
 use crate::materials::Material;
@@ -142,10 +142,10 @@ impl Plan {
         item(self.reflection && !self.roulette, "weight cut-off 0: no random cuts");
         let count = scene.shapes.primitives().len();
         let unit = if count == 1 { "shape" } else { "shapes" };
-        let reason = if scene.integrator.hierarchy {
-            format!("{count} {unit} (at most {} with bounds)", Aggregate::HANDFUL)
-        } else {
+        let reason = if scene.integrator.hierarchy == HierarchyChoice::Off {
             format!("hierarchy off, {count} {unit}")
+        } else {
+            format!("{count} {unit} (at most {} with bounds)", Aggregate::HANDFUL)
         };
         item(!self.hierarchy, &format!("{reason}: no hierarchy over them"));
         items

@@ -19,8 +19,7 @@ pub struct IntegratorSettings {
     pub strategy: Strategy,
     /// Whether the path tracer sends light ahead to learn where glass and mirrors focus it.
     pub caustics: Caustics,
-    /// A hierarchy is built over more than a handful of shapes.
-    pub hierarchy: bool,
+    pub hierarchy: HierarchyChoice,
     /// A mistake made on purpose, for lessons.
     pub mistake: Option<Mistake>,
 }
@@ -61,6 +60,18 @@ pub enum Caustics {
     Off,
 }
 
+/// Which hierarchy over more than a handful of shapes finds those that a ray meets; the picture is the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HierarchyChoice {
+    /// The fast one.
+    #[default]
+    Auto,
+    /// The one of lesson 10.
+    Textbook,
+    /// None: every ray tries every shape.
+    Off,
+}
+
 /// The ways to compute a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
@@ -92,7 +103,7 @@ impl Default for IntegratorSettings {
             weight_cutoff: 1.0 / 1024.0,
             strategy: Strategy::default(),
             caustics: Caustics::default(),
-            hierarchy: true,
+            hierarchy: HierarchyChoice::default(),
             mistake: None,
         }
     }
@@ -151,7 +162,11 @@ impl IntegratorSettings {
             settings.caustics = caustics.choice(&[("auto", Caustics::Auto), ("off", Caustics::Off)])?;
         }
         if let Some(hierarchy) = table.optional("hierarchy") {
-            settings.hierarchy = hierarchy.choice(&[("auto", true), ("off", false)])?;
+            settings.hierarchy = hierarchy.choice(&[
+                ("auto", HierarchyChoice::Auto),
+                ("textbook", HierarchyChoice::Textbook),
+                ("off", HierarchyChoice::Off),
+            ])?;
         }
         if let Some(mistake) = table.optional("mistake") {
             settings.mistake = Some(mistake.choice(&[("shadow-acne", Mistake::ShadowAcne)])?);
