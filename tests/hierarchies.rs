@@ -17,7 +17,7 @@ fn shapes(count: usize, size: f64, random: &mut Random) -> Vec<Primitive> {
         let turned = if number.is_multiple_of(2) { DVec3::ZERO } else { random.in_ball() * 180.0 };
         let scale = DVec3::splat(0.3 * size) * (1.0 + 0.9 * random.in_ball() * f64::from(u8::from(number % 5 > 1)));
         let transform = Transform::from_parts(random.in_ball() * size, turned, scale).unwrap();
-        Primitive::new(kinds[random.below(4)].clone(), transform, MaterialChoice::Whole(0), number % 3 > 0)
+        Primitive::new(kinds[random.below(4)].clone(), transform, MaterialChoice::Whole(0), !number.is_multiple_of(3))
     };
     let mut shapes: Vec<_> = (0..count).map(shape).collect();
     let floor = Transform::from_parts(DVec3::new(0.0, 0.0, -2.0 * size), DVec3::ZERO, DVec3::ONE).unwrap();
