@@ -77,13 +77,15 @@ fn the_exercise_is_corrected_on_a_z_up_map() {
 
 #[test]
 fn the_exercise_is_corrected_on_a_download() {
-    let Some(map) = common::shared_map("Meadow.zip") else { return };
-    let check = checked(&map, Preset::Exercise, Some(SignedAxis::POS_Z));
-    assert_eq!(check.fix.lookup(&check.lookup), Preset::HumusZUp.lookup());
-    assert_eq!(check.fix.convention, Some(Convention::HumusZUp));
-    let orientations = check.fix.faces.map(|fix| fix.orientation.formulas());
-    let as_is = ("u", "v");
-    assert_eq!(orientations, [("1-u", "v"), as_is, as_is, ("1-u", "v"), ("u", "1-v"), as_is]);
+    let own = compass().with_file_name("courtyard");
+    for map in [Some(own), common::shared_map("Meadow.zip")].into_iter().flatten() {
+        let check = checked(&map, Preset::Exercise, Some(SignedAxis::POS_Z));
+        assert_eq!(check.fix.lookup(&check.lookup), Preset::HumusZUp.lookup());
+        assert_eq!(check.fix.convention, Some(Convention::HumusZUp));
+        let orientations = check.fix.faces.map(|fix| fix.orientation.formulas());
+        let as_is = ("u", "v");
+        assert_eq!(orientations, [("1-u", "v"), as_is, as_is, ("1-u", "v"), ("u", "1-v"), as_is]);
+    }
 }
 
 #[test]
@@ -102,13 +104,14 @@ fn where_the_sky_lies_does_not_break_a_map_that_fits() {
 
 #[test]
 fn right_maps_fit() {
-    let compass = checked(&compass(), Preset::Opengl, None);
-    assert_eq!((compass.verdict, compass.fix.changes), (Verdict::Fits, 0));
-    for name in ["meadow", "Meadow.zip", "studio-garden", "layouts/storm-cross.jpg", "layouts/ryfjallet-strip.png"] {
-        let Some(map) = common::shared_map(name) else { continue };
+    let right = checked(&compass(), Preset::Opengl, None);
+    assert_eq!((right.verdict, right.fix.changes), (Verdict::Fits, 0));
+    let own = ["hall", "night", "seaside"].map(|name| compass().with_file_name(name));
+    let real = ["meadow", "Meadow.zip", "studio-garden", "layouts/storm-cross.jpg", "layouts/ryfjallet-strip.png"];
+    for map in own.into_iter().chain(real.into_iter().filter_map(common::shared_map)) {
         let check = checked(&map, Preset::Opengl, None);
-        assert_eq!((check.verdict, check.fix.changes), (Verdict::Fits, 0), "{name}");
-        assert_eq!(check.mirrored, Face::ALL, "{name}");
+        assert_eq!((check.verdict, check.fix.changes), (Verdict::Fits, 0), "{}", map.display());
+        assert_eq!(check.mirrored, Face::ALL, "{}", map.display());
         let notes: Vec<String> = check.notes.iter().map(ToString::to_string).collect();
         assert!(
             notes.iter().any(|note| note.contains("a right-handed world sees all six faces mirrored")),

@@ -1,4 +1,7 @@
-//! A bounding volume hierarchy: finds the few things a ray may hit among very many.
+//! A BVH (bounding volume hierarchy): finds the few things a ray may hit among very many.
+//!
+//! There are two. Read [`TextbookHierarchy`] first: one file, the text of lesson 10. The other, [`Hierarchy`], finds the
+//! same and is fast.
 //!
 //! It is built over boxes and knows no shape. What it finds are leaves, small sets of neighbouring boxes; the caller
 //! looks at what is inside them. It never passes over a leaf whose box the ray touches, whatever the rounding.
@@ -31,11 +34,13 @@ mod hierarchy;
 mod merge;
 mod node;
 mod slabs;
+mod textbook;
 mod traversal;
 
 pub use float_box::FloatBox;
 pub use hierarchy::{Hierarchy, LEAF_CAPACITY};
 pub use slabs::HierarchyRay;
+pub use textbook::TextbookHierarchy;
 pub use traversal::Visit;
 
 #[cfg(test)]

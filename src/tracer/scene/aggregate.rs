@@ -1,8 +1,8 @@
 //! All shapes of a scene, and the way to find those a ray meets.
 
-use crate::bvh::{FloatBox, Hierarchy, Visit};
+use crate::bvh::{FloatBox, Hierarchy, TextbookHierarchy, Visit};
 use crate::materials::MediumStack;
-use crate::math::{DVec3, Ray, Side, SurfaceId};
+use crate::math::{Bounds, DVec3, Ray, Side, SurfaceId};
 use crate::shapes::{Balls, Hit, Primitive, Surface, ViewCones};
 
 /// No shape has this number.
@@ -24,9 +24,16 @@ pub struct Aggregate {
 /// The shapes that have bounds, under a hierarchy.
 #[derive(Debug)]
 struct BoxedShapes {
-    hierarchy: Hierarchy,
+    hierarchy: AnyHierarchy,
     /// Shape numbers in the order of the hierarchy's boxes.
     shapes: Vec<u32>,
+}
+
+/// Both find the same.
+#[derive(Debug)]
+enum AnyHierarchy {
+    Fast(Hierarchy),
+    Textbook(TextbookHierarchy),
 }
 
 impl Aggregate {
@@ -37,23 +44,34 @@ impl Aggregate {
     /// The same for boxes, ellipsoids and meshes: over two boxes a hierarchy saves a fifth.
     pub const MOST_OTHERS: usize = 1;
 
-    /// Builds what the number of shapes asks for.
+    /// Puts more than a few shapes under the fast hierarchy.
     pub fn new(primitives: Vec<Primitive>) -> Self {
+        Self::with_hierarchy(primitives, |boxes| {
+            let boxes: Vec<FloatBox> = boxes.iter().map(FloatBox::containing).collect();
+            AnyHierarchy::Fast(Hierarchy::build(&boxes))
+        })
+    }
+
+    /// Puts more than a few shapes under the hierarchy of lesson 10, which finds the same.
+    pub fn with_textbook_hierarchy(primitives: Vec<Primitive>) -> Self {
+        Self::with_hierarchy(primitives, |boxes| AnyHierarchy::Textbook(TextbookHierarchy::build(boxes)))
+    }
+
+    fn with_hierarchy(primitives: Vec<Primitive>, build: impl FnOnce(&[Bounds]) -> AnyHierarchy) -> Self {
         let bounds: Vec<_> = primitives.iter().map(Primitive::bounds).collect();
         let bounded = || primitives.iter().zip(&bounds).filter(|(_, bounds)| bounds.is_some());
         let simple = bounded().filter(|(primitive, _)| primitive.is_simple()).count();
         let others = bounded().count() - simple;
-        let is_boxed = |shape: u32| {
+        let is_boxed = |&shape: &u32| {
             let many = match primitives[shape as usize].is_simple() {
                 true => simple > Self::MOST_SIMPLE,
                 false => others > Self::MOST_OTHERS,
             };
             many && bounds[shape as usize].is_some()
         };
-        let (boxed, listed): (Vec<u32>, Vec<u32>) = (0..primitives.len() as u32).partition(|&shape| is_boxed(shape));
-        let boxes = boxed.iter().filter_map(|&shape| bounds[shape as usize]);
-        let boxes: Vec<FloatBox> = boxes.map(|bounds| FloatBox::containing(&bounds)).collect();
-        let hierarchy = (!boxed.is_empty()).then(|| BoxedShapes { hierarchy: Hierarchy::build(&boxes), shapes: boxed });
+        let (shapes, listed): (Vec<u32>, Vec<u32>) = (0..primitives.len() as u32).partition(is_boxed);
+        let boxes: Vec<Bounds> = shapes.iter().filter_map(|&shape| bounds[shape as usize]).collect();
+        let hierarchy = (!boxes.is_empty()).then(|| BoxedShapes { hierarchy: build(&boxes), shapes });
         Self { hierarchy, ..Self::listing(primitives, listed) }
     }
 
@@ -158,19 +176,36 @@ impl Aggregate {
     }
 
     fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, mut nearest: Hit) -> Hit {
-        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return nearest };
-        boxed.hierarchy.traverse(
+        let hierarchy = match &boxed.hierarchy {
+            AnyHierarchy::Fast(hierarchy) => hierarchy,
+            AnyHierarchy::Textbook(hierarchy) => {
+                return self.intersect_textbook(hierarchy, &boxed.shapes, ray, nearest);
+            }
+        };
+        let Some(walk) = hierarchy.ray(ray.origin, ray.direction) else { return nearest };
+        hierarchy.traverse(
             &walk,
             nearest.t,
             |_| {},
             |leaf| {
-                for &index in boxed.hierarchy.leaf(leaf) {
+                for &index in hierarchy.leaf(leaf) {
                     let shape = boxed.shapes[index as usize];
                     nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
                 }
                 Visit::Closer(nearest.t)
             },
         );
+        nearest
+    }
+
+    // Never in line: that would cost the fast hierarchy 1.5 % (the marbles of lesson 10).
+    #[inline(never)]
+    fn intersect_textbook(&self, hierarchy: &TextbookHierarchy, shapes: &[u32], ray: &Ray, mut nearest: Hit) -> Hit {
+        hierarchy.intersect(ray.origin, ray.direction, nearest.t, |index| {
+            let shape = shapes[index as usize];
+            nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
+            nearest.t
+        });
         nearest
     }
 
@@ -214,15 +249,19 @@ impl Aggregate {
             return true;
         }
         let Some(boxed) = &self.hierarchy else { return false };
-        let Some(walk) = boxed.hierarchy.ray(ray.origin, ray.direction) else { return false };
+        let stops = |index: u32| self.stops::<SHADOWING>(boxed.shapes[index as usize], ray, limit);
+        let hierarchy = match &boxed.hierarchy {
+            AnyHierarchy::Fast(hierarchy) => hierarchy,
+            AnyHierarchy::Textbook(hierarchy) => return hierarchy.occluded(ray.origin, ray.direction, limit, stops),
+        };
+        let Some(walk) = hierarchy.ray(ray.origin, ray.direction) else { return false };
         let mut found = false;
-        boxed.hierarchy.traverse(
+        hierarchy.traverse(
             &walk,
             limit,
             |_| {},
             |leaf| {
-                let mut shapes = boxed.hierarchy.leaf(leaf).iter().map(|&index| boxed.shapes[index as usize]);
-                found = shapes.any(|shape| self.stops::<SHADOWING>(shape, ray, limit));
+                found = hierarchy.leaf(leaf).iter().any(|&index| stops(index));
                 if found { Visit::Stop } else { Visit::Continue }
             },
         );

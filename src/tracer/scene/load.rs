@@ -6,7 +6,7 @@ use skycube_files::document::{Document, Table};
 
 use super::aggregate::Aggregate;
 use super::material::TextureStore;
-use super::settings::{IntegratorSettings, OutputSettings};
+use super::settings::{HierarchyChoice, IntegratorSettings, OutputSettings};
 use super::shape::ShapeReader;
 use super::{camera, environment, light, material};
 use crate::camera::Camera;
@@ -89,7 +89,11 @@ impl Scene {
         let mut sources = vec![file.to_path_buf()];
         sources.extend(placed.files);
         sources.extend(surroundings.files);
-        let build = if integrator.hierarchy { Aggregate::new } else { Aggregate::without_hierarchy };
+        let build = match integrator.hierarchy {
+            HierarchyChoice::Auto => Aggregate::new,
+            HierarchyChoice::Textbook => Aggregate::with_textbook_hierarchy,
+            HierarchyChoice::Off => Aggregate::without_hierarchy,
+        };
         Ok(Self {
             camera,
             samples,

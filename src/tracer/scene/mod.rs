@@ -14,4 +14,4 @@ pub use aggregate::Aggregate;
 pub use environment::read_lookup_file;
 pub use load::Scene;
 pub use plan::{Plan, Wing};
-pub use settings::{Caustics, IntegratorKind, IntegratorSettings, Mistake, OutputSettings, Strategy};
+pub use settings::{Caustics, HierarchyChoice, IntegratorKind, IntegratorSettings, Mistake, OutputSettings, Strategy};

@@ -1,7 +1,7 @@
 //! The plan: what a scene needs, and what is left out because it does not need it.
 
 use super::load::Scene;
-use super::settings::{Caustics, IntegratorKind, Strategy};
+use super::settings::{Caustics, HierarchyChoice, IntegratorKind, Strategy};
 use crate::envmap::EnvironmentKind;
 use crate::lights::Light;
 use crate::materials::Material;
@@ -170,10 +170,10 @@ impl Plan {
         item(self.reflection && !self.roulette, "weight cut-off 0: no random cuts");
         let count = scene.shapes.primitives().len();
         let unit = if count == 1 { "shape" } else { "shapes" };
-        let reason = if scene.integrator.hierarchy {
-            format!("{count} {unit}, too few")
-        } else {
+        let reason = if scene.integrator.hierarchy == HierarchyChoice::Off {
             format!("hierarchy off, {count} {unit}")
+        } else {
+            format!("{count} {unit}, too few")
         };
         item(!self.hierarchy, &format!("{reason}: no hierarchy over them"));
         items

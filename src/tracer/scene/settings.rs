@@ -21,8 +21,7 @@ pub struct IntegratorSettings {
     pub caustics: Caustics,
     /// Faster code than the textbook's is used where it applies.
     pub fast: bool,
-    /// A hierarchy is built over more than a handful of shapes.
-    pub hierarchy: bool,
+    pub hierarchy: HierarchyChoice,
     /// A mistake made on purpose, for lessons.
     pub mistake: Option<Mistake>,
 }
@@ -62,6 +61,18 @@ pub enum Caustics {
     Off,
 }
 
+/// Which hierarchy over more than a few shapes finds those that a ray meets; the picture is the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HierarchyChoice {
+    /// The fast one.
+    #[default]
+    Auto,
+    /// The one of lesson 10.
+    Textbook,
+    /// None: every ray tries every shape.
+    Off,
+}
+
 /// The ways to compute a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
@@ -94,7 +105,7 @@ impl Default for IntegratorSettings {
             strategy: Strategy::default(),
             caustics: Caustics::default(),
             fast: true,
-            hierarchy: true,
+            hierarchy: HierarchyChoice::default(),
             mistake: None,
         }
     }
@@ -156,7 +167,11 @@ impl IntegratorSettings {
             settings.fast = fast.boolean()?;
         }
         if let Some(hierarchy) = table.optional("hierarchy") {
-            settings.hierarchy = hierarchy.choice(&[("auto", true), ("off", false)])?;
+            settings.hierarchy = hierarchy.choice(&[
+                ("auto", HierarchyChoice::Auto),
+                ("textbook", HierarchyChoice::Textbook),
+                ("off", HierarchyChoice::Off),
+            ])?;
         }
         if let Some(mistake) = table.optional("mistake") {
             settings.mistake = Some(mistake.choice(&[("shadow-acne", Mistake::ShadowAcne)])?);

@@ -1,4 +1,5 @@
-//! The real maps beside the repository: all open, and the seams of those that are right close. Skipped without them.
+//! The project's own maps, and the real maps beside the repository, which are skipped where they are missing: all open, and
+//! the seams of those that are right close.
 
 use std::path::PathBuf;
 
@@ -127,6 +128,18 @@ fn the_archive_holds_the_same_bytes_as_the_folder() {
     for (file, entry) in folder.images.iter().zip(&archive.images) {
         assert_eq!(file.encoded_bytes().unwrap(), entry.encoded_bytes().unwrap());
         assert_eq!(entry.name(), format!("Meadow.zip/{}", file.name()));
+    }
+}
+
+#[test]
+fn the_seams_of_the_projects_own_maps_close() {
+    for name in ["hall", "night", "seaside"] {
+        let skybox = Skybox::open(&PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../envmaps").join(name)).unwrap();
+        let pictures: Vec<Picture> = skybox.images.iter().map(|image| image.decode().unwrap()).collect();
+        assert!(pictures.iter().all(|picture| (picture.width(), picture.height()) == (128, 128)), "{name}");
+        let steps = seam_steps(&pictures);
+        println!("{name}: seam steps {steps:?}, mean {}", mean(&steps));
+        assert_names_are_the_best(pictures, mean(&steps));
     }
 }
 
