@@ -48,7 +48,7 @@ fn rays(count: usize, size: f64, random: &mut Random) -> Vec<Ray> {
 
 /// Asserts that both hierarchies find what the loop finds; returns how many rays hit something.
 fn compare(shapes: &[Primitive], rays: &[Ray]) -> usize {
-    let textbook = Aggregate::with_textbook_hierarchy(shapes.to_vec());
+    let textbook = Aggregate::with_hierarchy(shapes.to_vec(), true);
     let fast = Aggregate::new(shapes.to_vec());
     assert!(textbook.has_hierarchy() && fast.has_hierarchy());
     let mut hits = 0;
@@ -91,7 +91,7 @@ fn both_agree_on_every_lesson_scene() {
     for file in files.filter(|file| !file.ends_with("lesson.toml")) {
         let scene = Scene::read(&file).unwrap();
         let [textbook, fast] =
-            [Aggregate::with_textbook_hierarchy, Aggregate::new].map(|build| build(scene.shapes.primitives().to_vec()));
+            [true, false].map(|textbook| Aggregate::with_hierarchy(scene.shapes.primitives().to_vec(), textbook));
         let camera = scene.camera.resized([60, 40]);
         let mut hits = 0;
         for (x, y) in (0..2400).map(|pixel| (f64::from(pixel % 60) + 0.5, f64::from(pixel / 60) + 0.5)) {

@@ -110,7 +110,7 @@ proptest! {
         // From the point, as rays leave a camera.
         let from = Ray::new(point, -towards.direction);
         let mut hits = Vec::new();
-        shapes.intersect_all([&from].into_iter(), Some(&cones), &mut hits);
+        shapes.intersect_all(Some(&cones), [&from].into_iter(), &mut hits);
         prop_assert_eq!(hits, [shapes.intersect(&from)]);
     }
 }

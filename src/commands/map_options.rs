@@ -69,8 +69,9 @@ impl OpenMap {
     /// axis that the user named.
     pub fn checked(&self, filter: CubeFilter, world_up: Option<SignedAxis>) -> Result<(CubeMap, Check)> {
         let options = CheckOptions { world_up, lookup_name: self.lookup_name.clone(), ..CheckOptions::default() };
-        let (map, check) = check_skybox(&self.skybox, self.lookup, &options)?;
-        Ok((map.with_filter(filter), check))
+        let (mut map, check) = check_skybox(&self.skybox, self.lookup, &options)?;
+        map.set_filter(filter);
+        Ok((map, check))
     }
 
     /// The image that a face reads, and its file: `posz (Meadow.zip/posz.jpg)`.

@@ -20,7 +20,7 @@
 //! ```
 
 use crate::math::functions::{cos, sin};
-use crate::math::{DVec2, DVec3, Ray};
+use crate::math::{DVec3, Ray};
 use crate::sampling::warp::concentric_disc;
 
 /// A camera that sees a rectangle of a plane through a point.
@@ -34,8 +34,6 @@ pub struct Camera {
     forward: DVec3,
     width: usize,
     height: usize,
-    /// Width and height again, as numbers to divide by.
-    extent: DVec2,
     lens: Option<Lens>,
 }
 
@@ -77,7 +75,6 @@ impl Camera {
             forward,
             width,
             height,
-            extent: DVec2::new(width as f64, height as f64),
             lens: None,
         })
     }
@@ -96,7 +93,7 @@ impl Camera {
     pub fn resized(self, [width, height]: [usize; 2]) -> Self {
         let half_height = self.top.length();
         let right = self.right.normalize() * (half_height * width as f64 / height as f64);
-        Self { right, width, height, extent: DVec2::new(width as f64, height as f64), ..self }
+        Self { right, width, height, ..self }
     }
 
     /// Width and height in pixels.
@@ -135,8 +132,8 @@ impl Camera {
     /// The view through a place of the picture, of length 1 along the forward direction.
     #[inline(always)]
     fn towards(&self, x: f64, y: f64) -> DVec3 {
-        let across = 2.0 * x / self.extent.x - 1.0;
-        let upwards = 1.0 - 2.0 * y / self.extent.y;
+        let across = 2.0 * x / self.width as f64 - 1.0;
+        let upwards = 1.0 - 2.0 * y / self.height as f64;
         self.forward + self.right * across + self.top * upwards
     }
 }

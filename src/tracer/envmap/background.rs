@@ -2,9 +2,9 @@
 
 use super::axis::SignedAxis;
 use super::lazy_image::LazyImage;
-use crate::math::functions::{arctan2_turns, cos, floor, sin};
+use crate::math::functions::{arctan2_turns, clamp_number, cos, floor, sin};
 use crate::math::{DVec3, Vec3};
-use crate::picture::Footprint;
+use crate::picture::{Footprint, neighbours};
 
 /// Three colours blended by the height of the direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -50,7 +50,7 @@ impl Equirectangular {
         let (u, v) = self.coordinates(direction);
         self.image.picture().map_or(Vec3::ZERO, |picture| {
             let (width, height) = (picture.width(), picture.height());
-            let footprint = Footprint::around(u * width as f32, v * height as f32, width, height);
+            let footprint = footprint_around(u * width as f32, v * height as f32, width, height);
             picture.interpolated(&footprint)
         })
     }
@@ -70,6 +70,18 @@ impl Equirectangular {
     pub(super) fn longitudes(&self) -> Longitudes {
         Longitudes { up: self.up, turns: f64::from(self.turns) }
     }
+}
+
+/// The footprint in a picture whose right border continues at its left one; rows are clamped. `x` from 0 to the width; beyond,
+/// it is clamped.
+fn footprint_around(x: f32, y: f32, width: usize, height: usize) -> Footprint {
+    let (rows, vertical) = neighbours(y, height);
+    // Counted from one texel further left, so that truncation is the floor: 0 is the last column.
+    let shifted = clamp_number(x + 0.5, 0.0, width as f32 + 0.5);
+    let second = shifted as i32 as usize;
+    let left = if second == 0 { width - 1 } else { second - 1 };
+    let right = if second >= width { 0 } else { second };
+    Footprint { columns: [left, right], rows, horizontal: shifted - second as f32, vertical }
 }
 
 /// Longitude and latitude about an axis: the drawing at [`Equirectangular`], without the picture.

@@ -56,11 +56,6 @@ impl CubeMap {
         Self { lookup, ..self }
     }
 
-    /// The same pictures read another way between texels.
-    pub fn with_filter(self, filter: CubeFilter) -> Self {
-        Self { filter, ..self }
-    }
-
     /// From now on colours between texels are read another way.
     pub fn set_filter(&mut self, filter: CubeFilter) {
         self.filter = filter;
@@ -103,10 +98,5 @@ impl CubeMap {
     /// Why images that a direction reached could not be decoded.
     pub fn errors(&self) -> impl Iterator<Item = &Error> {
         self.images.iter().filter_map(LazyImage::error)
-    }
-
-    /// The picture an image name stands for, if it can be decoded.
-    pub(super) fn image_picture(&self, image: Face) -> Option<&Picture> {
-        self.images[image.index()].picture()
     }
 }

@@ -60,17 +60,6 @@ pub struct ImagePoint {
     pub down: f32,
 }
 
-impl VOrigin {
-    /// Distance from the top border at v = 0, and how it grows with v.
-    #[inline(always)]
-    fn towards_bottom(self) -> (f32, f32) {
-        match self {
-            VOrigin::Top => (0.0, 1.0),
-            VOrigin::Bottom => (1.0, -1.0),
-        }
-    }
-}
-
 impl ImagePoint {
     /// The place in texels from the top left corner; texel centres are at half integers.
     #[inline]
@@ -167,9 +156,10 @@ impl Lookup {
     /// Where in which picture the colour of a place on the cube stands.
     #[inline]
     pub fn image_point(&self, point: FacePoint) -> ImagePoint {
-        // v or 1 - v, without a branch.
-        let (start, step) = self.v_origin.towards_bottom();
-        let down = start + step * point.v;
+        let down = match self.v_origin {
+            VOrigin::Top => point.v,
+            VOrigin::Bottom => 1.0 - point.v,
+        };
         ImagePoint { image: self.faces[point.face.index()].image, right: point.u, down }
     }
 
@@ -183,19 +173,6 @@ impl Lookup {
         };
         let axis = |axis: SignedAxis| axis.direction().as_dvec3();
         face.normal().as_dvec3() + axis(row.u) * (2.0 * right - 1.0) + axis(row.v) * (2.0 * v - 1.0)
-    }
-
-    /// True if the face shows its picture mirrored to an observer inside the cube of a right-handed world.
-    ///
-    /// With r the direction of growing u and t the direction from the bottom to the top of the image, r x t points
-    /// back at the viewer when a photograph taken looking outwards is seen right (DESIGN, "Handedness").
-    pub fn mirrors(&self, face: Face) -> bool {
-        let row = self.faces[face.index()];
-        let towards_top = match self.v_origin {
-            VOrigin::Top => -row.v,
-            VOrigin::Bottom => row.v,
-        };
-        row.u.direction().cross(towards_top.direction()).dot(face.normal()) > 0.0
     }
 }
 

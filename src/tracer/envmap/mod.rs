@@ -5,6 +5,7 @@ mod background;
 mod cube_map;
 mod environment;
 mod face;
+mod handedness;
 mod lazy_image;
 mod lookup;
 mod orientation;

@@ -46,7 +46,7 @@ impl Corners {
     pub fn colours(&self, map: &CubeMap) -> [Vec3; 4] {
         let texels = self.places.map(|place| {
             let place = place?;
-            Some(place.nearest(map.image_picture(place.image)?))
+            Some(place.nearest(map.picture(place.image).ok()?))
         });
         let known: Vec3 = texels.iter().flatten().copied().sum();
         let count = texels.iter().flatten().count().max(1) as f32;

@@ -12,21 +12,20 @@ mod guided;
 mod side_by_side;
 mod textbook;
 
+pub use common::first_hit::FirstHit;
 pub use common::observer::{Blind, Event, LightOutcome, Observer, RayKind, Recorder};
 pub use common::task::RayCounts;
-pub use side_by_side::RayStream;
+pub use side_by_side::{RayStream, StreamTracer};
 
 use crate::error::Result;
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
 use crate::scene::{IntegratorKind, Plan, Scene, Wing};
+use common::enclosing;
 use common::lights::LightTables;
-use common::media;
 use common::task::Task;
-use common::view::View;
 use guided::GuidedTracer;
-use side_by_side::StreamTracer;
 use textbook::whitted::Path;
 
 /// A scene made ready for rendering by its plan.
@@ -43,16 +42,6 @@ enum ReadyWing<'a> {
     Textbook,
     SideBySide(StreamTracer<'a>),
     Guided(GuidedTracer<'a>),
-}
-
-/// What a camera ray meets first.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct FirstHit {
-    /// Unit shading normal in the world, on the viewer's side.
-    pub normal: DVec3,
-    /// Share of the light that is reflected or transmitted.
-    pub albedo: Vec3,
-    pub distance: f64,
 }
 
 impl<'a> Integrator<'a> {
@@ -110,20 +99,9 @@ impl<'a> Integrator<'a> {
         }
     }
 
-    /// An empty stream for rays of the camera, which all start at `origin`, if there is one; `None` unless rays are traced
-    /// side by side.
-    pub fn stream(&self, origin: Option<DVec3>) -> Option<RayStream> {
-        match &self.wing {
-            ReadyWing::SideBySide(tracer) => Some(tracer.stream(origin)),
-            _ => None,
-        }
-    }
-
-    /// Finds the radiance along the rays of a stream.
-    pub fn trace(&self, stream: &mut RayStream, counts: &mut RayCounts) {
-        if let ReadyWing::SideBySide(tracer) = &self.wing {
-            tracer.trace(stream, counts);
-        }
+    /// The tracer of whole streams of rays; `None` unless rays are traced side by side.
+    pub fn side_by_side(&self) -> Option<&StreamTracer<'a>> {
+        if let ReadyWing::SideBySide(tracer) = &self.wing { Some(tracer) } else { None }
     }
 
     /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
@@ -140,14 +118,6 @@ impl<'a> Integrator<'a> {
 
     /// The glasses that enclose a point from which rays start, outermost first: a camera may stand in water.
     pub fn media_around(&self, point: DVec3) -> MediumStack {
-        media::media_around(self.scene, self.plan, point)
-    }
-
-    /// What a camera ray meets first; `None` if nothing.
-    pub fn first_hit(&self, ray: &Ray) -> Option<FirstHit> {
-        let hit = self.scene.shapes.intersect(ray)?;
-        let surface = self.scene.shapes.surface(ray, &hit);
-        let albedo = self.scene.materials[surface.material as usize].albedo(surface.texture_coordinates);
-        Some(FirstHit { normal: View::new(&surface, ray.direction).shading_normal, albedo, distance: hit.t })
+        enclosing::media_around(self.scene, self.plan, point)
     }
 }

@@ -40,19 +40,6 @@ impl Footprint {
         Self { columns, rows, horizontal, vertical }
     }
 
-    /// The footprint in a picture whose right border continues at its left one; rows are clamped. `x` from 0 to the
-    /// width; beyond, it is clamped.
-    #[inline(always)]
-    pub fn around(x: f32, y: f32, width: usize, height: usize) -> Self {
-        let (rows, vertical) = neighbours(y, height);
-        // Counted from one texel further left, so that truncation is the floor: 0 is the last column.
-        let shifted = clamp_number(x + 0.5, 0.0, width as f32 + 0.5);
-        let second = shifted as i32 as usize;
-        let left = if second == 0 { width - 1 } else { second - 1 };
-        let right = if second >= width { 0 } else { second };
-        Self { columns: [left, right], rows, horizontal: shifted - second as f32, vertical }
-    }
-
     /// What the top left, top right, bottom left and bottom right texels count. The weights add up to 1; at a border some
     /// of them are 0.
     #[inline(always)]
@@ -80,7 +67,7 @@ impl Footprint {
 /// The texels before and after a point on one axis of `count` texels, and the share of the second: half a texel from the
 /// far end the last pair serves, with a share of 1.
 #[inline(always)]
-fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
+pub fn neighbours(position: f32, count: usize) -> ([usize; 2], f32) {
     if count == 1 {
         return ([0, 0], 0.0);
     }

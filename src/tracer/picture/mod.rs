@@ -11,7 +11,7 @@ mod resize;
 mod texels;
 mod texture;
 
-pub use bilinear::Footprint;
+pub use bilinear::{Footprint, neighbours};
 pub use decode::{decode, read, read_file_header, read_header};
 pub use display::{display_bytes, without_opacity};
 pub use encode::{Extras, SideLayer, WriteOptions, encode, write, write_with};

@@ -1,17 +1,23 @@
 //! From a scene to a picture: rows on all cores, the same bytes whatever their number.
 
 mod axis_shots;
+mod bake;
 mod film;
 mod layers;
 mod map_view;
+mod pixel_sample;
 mod progress;
 mod progressive;
 mod ray_source;
 mod renderer;
+mod rendering;
 
 pub use axis_shots::{AxisShot, front};
+pub use bake::bake_face;
 pub use film::{FilmRow, Keeps};
 pub use layers::Layers;
+pub use pixel_sample::PixelSample;
 pub use progress::{Progress, Silent};
 pub use progressive::{Budget, render_progressively};
-pub use renderer::{PixelSample, Renderer, Rendering, bake_face, render};
+pub use renderer::{Renderer, render};
+pub use rendering::Rendering;

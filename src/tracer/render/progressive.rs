@@ -3,7 +3,8 @@
 use std::time::{Duration, Instant};
 
 use super::progress::Progress;
-use super::renderer::{Renderer, Rendering};
+use super::renderer::Renderer;
+use super::rendering::Rendering;
 use crate::error::{Error, Result};
 
 /// When a progressive rendering is finished.

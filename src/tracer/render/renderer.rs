@@ -3,42 +3,22 @@
 use rayon::prelude::*;
 
 use super::film::{Film, FilmRow, Keeps};
-use super::layers::Layers;
 use super::progress::Progress;
 use super::ray_source::RaySource;
-use crate::envmap::{Face, Lookup};
+use super::rendering::Rendering;
 use crate::error::{Error, Result};
-use crate::integrators::{FirstHit, Integrator, Observer, RayCounts, RayStream};
+use crate::integrators::{FirstHit, Integrator, RayCounts, RayStream};
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
-use crate::picture::Raster;
 use crate::sampling::{FilteredPlace, PixelSampler, Sampling};
-use crate::scene::{Plan, Scene, Wing};
-
-/// A finished picture and what it cost.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Rendering {
-    /// Linear radiance.
-    pub raster: Raster,
-    pub counts: RayCounts,
-    /// Samples that every pixel has; some may have more if the rendering was stopped.
-    pub samples: u32,
-    /// True if it was stopped before all samples were taken.
-    pub stopped: bool,
-    /// What was asked for beside the picture.
-    pub layers: Option<Layers>,
-    /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
-    pub left_out: Vec<String>,
-    /// The code that rendered.
-    pub wing: Wing,
-}
+use crate::scene::{Plan, Scene};
 
 /// A picture that grows by passes of samples. Every sample depends on the scene and its own number alone: the picture after
 /// N samples is the same however they were split, on any number of threads.
 pub struct Renderer<'a> {
-    sampler: SceneSampler<'a>,
+    pub(super) sampler: SceneSampler<'a>,
     film: Film,
-    keeps: Keeps,
+    pub(super) keeps: Keeps,
     samples: u32,
 }
 
@@ -53,7 +33,7 @@ impl<'a> Renderer<'a> {
         Self::from_source(scene, plan, RaySource::Camera(&scene.camera), true)
     }
 
-    fn from_source(scene: &'a Scene, plan: &'a Plan, source: RaySource<'a>, layers: bool) -> Result<Self> {
+    pub(super) fn from_source(scene: &'a Scene, plan: &'a Plan, source: RaySource<'a>, layers: bool) -> Result<Self> {
         let integrator = Integrator::new(scene, plan)?;
         let media = integrator.media_around(source.position());
         let keeps = Keeps { weights: !scene.sampling.filter.is_even(), layers };
@@ -90,23 +70,6 @@ impl<'a> Renderer<'a> {
         Ok(())
     }
 
-    /// One sample of a pixel, watched as the textbook's code takes it; the picture does not change.
-    pub fn watch<O: Observer>(&self, [x, y]: [usize; 2], index: u32, observer: &mut O) -> PixelSample {
-        let SceneSampler { integrator, media, sampling, .. } = &self.sampler;
-        let mut sampler = PixelSampler::chosen(*sampling, x, y, index);
-        let (origin, towards, place) = self.sampler.set_out([x, y], &mut sampler);
-        let ray = Ray::new(origin, towards.normalize());
-        let radiance = integrator.watch(&ray, media, &mut sampler, &mut RayCounts::default(), observer);
-        PixelSample { ray, place, radiance }
-    }
-
-    /// What a pixel shows after samples that were taken one by one, in their order: the same bits as in the picture.
-    pub fn develop_pixel(&self, samples: &[PixelSample]) -> Vec3 {
-        let mut row = FilmRow::new(Keeps { layers: false, ..self.keeps });
-        samples.iter().for_each(|sample| row.add(&[sample.radiance], &[sample.place.weight]));
-        row.pixel(0)
-    }
-
     /// The picture so far.
     pub fn rendering(&self, stopped: bool) -> Rendering {
         Rendering {
@@ -121,23 +84,14 @@ impl<'a> Renderer<'a> {
     }
 }
 
-/// One sample of a pixel.
-#[derive(Debug, Clone, Copy)]
-pub struct PixelSample {
-    pub ray: Ray,
-    /// The place in the pixel and what the sample counts.
-    pub place: FilteredPlace,
-    pub radiance: Vec3,
-}
-
 /// Takes samples of pixels.
-struct SceneSampler<'a> {
+pub(super) struct SceneSampler<'a> {
     scene: &'a Scene,
-    integrator: Integrator<'a>,
+    pub integrator: Integrator<'a>,
     source: RaySource<'a>,
     /// The glasses around the camera.
-    media: MediumStack,
-    sampling: Sampling,
+    pub media: MediumStack,
+    pub sampling: Sampling,
     /// True if the only sample goes through the middle of the pixel.
     centred: bool,
     /// True if layers were asked for.
@@ -165,7 +119,8 @@ impl Room {
 
 impl SceneSampler<'_> {
     fn room(&self) -> Room {
-        Room { stream: self.integrator.stream(self.source.origin()), ..Room::default() }
+        let stream = self.integrator.side_by_side().map(|tracer| tracer.stream(self.source.origin()));
+        Room { stream, ..Room::default() }
     }
 
     /// Adds samples to all pixels of a row until there are `last`. An error tells that it was cancelled, or that a picture of
@@ -216,11 +171,11 @@ impl SceneSampler<'_> {
                     }
                 }
                 if self.layers {
-                    first_hits.push(self.integrator.first_hit(&Ray::new(origin, towards.normalize())));
+                    first_hits.push(FirstHit::of(self.scene, &Ray::new(origin, towards.normalize())));
                 }
             }
-            if let Some(stream) = stream {
-                self.integrator.trace(stream, counts);
+            if let (Some(tracer), Some(stream)) = (self.integrator.side_by_side(), stream.as_mut()) {
+                tracer.trace(stream, counts);
                 radiances.extend_from_slice(stream.radiances());
             }
         }
@@ -229,7 +184,7 @@ impl SceneSampler<'_> {
 
     /// Origin and direction, of any length, of the camera ray of a sample, and its place in the pixel.
     #[inline(always)]
-    fn set_out(&self, [x, y]: [usize; 2], sampler: &mut PixelSampler) -> (DVec3, DVec3, FilteredPlace) {
+    pub fn set_out(&self, [x, y]: [usize; 2], sampler: &mut PixelSampler) -> (DVec3, DVec3, FilteredPlace) {
         let (place, lens_place) = self.place(sampler);
         let (origin, towards) = self.source.sight(x as f64 + place.across, y as f64 + place.down, lens_place);
         (origin, towards, place)
@@ -250,22 +205,6 @@ impl SceneSampler<'_> {
 /// rendering was cancelled.
 pub fn render(scene: &Scene, plan: &Plan, progress: &dyn Progress) -> Result<Rendering> {
     let mut renderer = Renderer::new(scene, plan)?;
-    renderer.add_samples(scene.samples, progress)?;
-    Ok(renderer.rendering(false))
-}
-
-/// Renders the image that `lookup` reads for a face, seen from a point: each texel looks along its own direction.
-/// The inverse of [`CubeMap::sample`](crate::envmap::CubeMap::sample), from the same table.
-pub fn bake_face(
-    scene: &Scene,
-    plan: &Plan,
-    lookup: &Lookup,
-    face: Face,
-    size: usize,
-    position: DVec3,
-    progress: &dyn Progress,
-) -> Result<Rendering> {
-    let mut renderer = Renderer::from_source(scene, plan, RaySource::Face { lookup, face, size, position }, false)?;
     renderer.add_samples(scene.samples, progress)?;
     Ok(renderer.rendering(false))
 }

@@ -1,6 +1,6 @@
 //! All shapes of a scene, and the way to find those a ray meets.
 
-use crate::bvh::{FloatBox, Hierarchy, TextbookHierarchy, Visit};
+use super::boxed_shapes::BoxedShapes;
 use crate::materials::MediumStack;
 use crate::math::{Bounds, DVec3, Ray, Side, SurfaceId};
 use crate::shapes::{Balls, Hit, Primitive, Surface, ViewCones};
@@ -21,21 +21,6 @@ pub struct Aggregate {
     hierarchy: Option<BoxedShapes>,
 }
 
-/// The shapes that have bounds, under a hierarchy.
-#[derive(Debug)]
-struct BoxedShapes {
-    hierarchy: AnyHierarchy,
-    /// Shape numbers in the order of the hierarchy's boxes.
-    shapes: Vec<u32>,
-}
-
-/// Both find the same.
-#[derive(Debug)]
-enum AnyHierarchy {
-    Fast(Hierarchy),
-    Textbook(TextbookHierarchy),
-}
-
 impl Aggregate {
     /// Up to this many flat shapes and round spheres are tried one by one. Below it a hierarchy over them costs more than it
     /// saves: 1.6 times for 8 spheres in a Whitted scene, 1.2 times in the room of lesson 08; at 24 flat shapes it pays.
@@ -46,32 +31,21 @@ impl Aggregate {
 
     /// Puts more than a few shapes under the fast hierarchy.
     pub fn new(primitives: Vec<Primitive>) -> Self {
-        Self::with_hierarchy(primitives, |boxes| {
-            let boxes: Vec<FloatBox> = boxes.iter().map(FloatBox::containing).collect();
-            AnyHierarchy::Fast(Hierarchy::build(&boxes))
-        })
+        Self::with_hierarchy(primitives, false)
     }
 
-    /// Puts more than a few shapes under the hierarchy of lesson 10, which finds the same.
-    pub fn with_textbook_hierarchy(primitives: Vec<Primitive>) -> Self {
-        Self::with_hierarchy(primitives, |boxes| AnyHierarchy::Textbook(TextbookHierarchy::build(boxes)))
-    }
-
-    fn with_hierarchy(primitives: Vec<Primitive>, build: impl FnOnce(&[Bounds]) -> AnyHierarchy) -> Self {
+    /// Puts more than a few shapes under the fast hierarchy, or under that of lesson 10, which finds the same.
+    pub fn with_hierarchy(primitives: Vec<Primitive>, textbook: bool) -> Self {
         let bounds: Vec<_> = primitives.iter().map(Primitive::bounds).collect();
         let bounded = || primitives.iter().zip(&bounds).filter(|(_, bounds)| bounds.is_some());
         let simple = bounded().filter(|(primitive, _)| primitive.is_simple()).count();
-        let others = bounded().count() - simple;
+        let many = [bounded().count() - simple > Self::MOST_OTHERS, simple > Self::MOST_SIMPLE];
         let is_boxed = |&shape: &u32| {
-            let many = match primitives[shape as usize].is_simple() {
-                true => simple > Self::MOST_SIMPLE,
-                false => others > Self::MOST_OTHERS,
-            };
-            many && bounds[shape as usize].is_some()
+            bounds[shape as usize].is_some() && many[usize::from(primitives[shape as usize].is_simple())]
         };
         let (shapes, listed): (Vec<u32>, Vec<u32>) = (0..primitives.len() as u32).partition(is_boxed);
         let boxes: Vec<Bounds> = shapes.iter().filter_map(|&shape| bounds[shape as usize]).collect();
-        let hierarchy = (!boxes.is_empty()).then(|| BoxedShapes { hierarchy: build(&boxes), shapes });
+        let hierarchy = (!boxes.is_empty()).then(|| BoxedShapes::build(shapes, &boxes, textbook));
         Self { hierarchy, ..Self::listing(primitives, listed) }
     }
 
@@ -111,19 +85,19 @@ impl Aggregate {
         (nearest.id.shape != NONE).then_some(nearest)
     }
 
-    /// The nearest hit of each ray; of rays that all start at one point by the view cones from there, if there are any.
+    /// The nearest hits of rays; of rays that all start at one point by the view cones from there, if there are any.
+    #[inline]
     pub fn intersect_all<'r>(
         &self,
-        rays: impl Iterator<Item = &'r Ray>,
         cones: Option<&ViewCones>,
+        rays: impl Iterator<Item = &'r Ray>,
         hits: &mut Vec<Option<Hit>>,
     ) {
-        let some = |nearest: Hit| (nearest.id.shape != NONE).then_some(nearest);
         hits.clear();
         if self.has_others() {
-            hits.extend(rays.map(|ray| some(self.nearer_other(ray, self.nearest_simple(ray, cones)))));
+            hits.extend(rays.map(|ray| self.intersect(ray)));
         } else {
-            hits.extend(rays.map(|ray| some(self.nearest_simple(ray, cones))));
+            hits.extend(rays.map(|ray| Some(self.nearest_simple(ray, cones)).filter(|hit| hit.id.shape != NONE)));
         }
     }
 
@@ -170,43 +144,9 @@ impl Aggregate {
             nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
         }
         match &self.hierarchy {
-            Some(boxed) => self.intersect_boxed(boxed, ray, nearest),
+            Some(boxed) => boxed.nearer(&self.primitives, ray, nearest),
             None => nearest,
         }
-    }
-
-    fn intersect_boxed(&self, boxed: &BoxedShapes, ray: &Ray, mut nearest: Hit) -> Hit {
-        let hierarchy = match &boxed.hierarchy {
-            AnyHierarchy::Fast(hierarchy) => hierarchy,
-            AnyHierarchy::Textbook(hierarchy) => {
-                return self.intersect_textbook(hierarchy, &boxed.shapes, ray, nearest);
-            }
-        };
-        let Some(walk) = hierarchy.ray(ray.origin, ray.direction) else { return nearest };
-        hierarchy.traverse(
-            &walk,
-            nearest.t,
-            |_| {},
-            |leaf| {
-                for &index in hierarchy.leaf(leaf) {
-                    let shape = boxed.shapes[index as usize];
-                    nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
-                }
-                Visit::Closer(nearest.t)
-            },
-        );
-        nearest
-    }
-
-    // Never in line: that would cost the fast hierarchy 1.5 % (the marbles of lesson 10).
-    #[inline(never)]
-    fn intersect_textbook(&self, hierarchy: &TextbookHierarchy, shapes: &[u32], ray: &Ray, mut nearest: Hit) -> Hit {
-        hierarchy.intersect(ray.origin, ray.direction, nearest.t, |index| {
-            let shape = shapes[index as usize];
-            nearest = self.primitives[shape as usize].nearer(ray, shape, nearest);
-            nearest.t
-        });
-        nearest
     }
 
     /// True if something that casts shadows is met within `limit`.
@@ -248,24 +188,8 @@ impl Aggregate {
         if self.meshes.iter().any(|&shape| self.stops::<SHADOWING>(shape, ray, limit)) {
             return true;
         }
-        let Some(boxed) = &self.hierarchy else { return false };
-        let stops = |index: u32| self.stops::<SHADOWING>(boxed.shapes[index as usize], ray, limit);
-        let hierarchy = match &boxed.hierarchy {
-            AnyHierarchy::Fast(hierarchy) => hierarchy,
-            AnyHierarchy::Textbook(hierarchy) => return hierarchy.occluded(ray.origin, ray.direction, limit, stops),
-        };
-        let Some(walk) = hierarchy.ray(ray.origin, ray.direction) else { return false };
-        let mut found = false;
-        hierarchy.traverse(
-            &walk,
-            limit,
-            |_| {},
-            |leaf| {
-                found = hierarchy.leaf(leaf).iter().any(|&index| stops(index));
-                if found { Visit::Stop } else { Visit::Continue }
-            },
-        );
-        found
+        let boxed = self.hierarchy.as_ref();
+        boxed.is_some_and(|boxed| boxed.any(ray, limit, |shape| self.stops::<SHADOWING>(shape, ray, limit)))
     }
 
     /// True if the shape counts: for shadows, only what casts them.

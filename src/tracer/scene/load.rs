@@ -91,7 +91,7 @@ impl Scene {
         sources.extend(surroundings.files);
         let build = match integrator.hierarchy {
             HierarchyChoice::Auto => Aggregate::new,
-            HierarchyChoice::Textbook => Aggregate::with_textbook_hierarchy,
+            HierarchyChoice::Textbook => |primitives| Aggregate::with_hierarchy(primitives, true),
             HierarchyChoice::Off => Aggregate::without_hierarchy,
         };
         Ok(Self {

@@ -1,6 +1,7 @@
 //! A scene: everything a picture is computed from, read from TOML.
 
 mod aggregate;
+mod boxed_shapes;
 mod camera;
 mod environment;
 mod light;

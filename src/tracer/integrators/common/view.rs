@@ -1,7 +1,12 @@
-//! A surface as a ray sees it.
+//! A surface as a ray sees it: its normals, what it shows by itself, and what it does with light from one direction.
+
+use std::f32::consts::PI;
 
 use super::observer::Event;
-use crate::math::{DVec3, Ray, Side, Vec3};
+use crate::materials::fresnel::reflect;
+use crate::materials::{Material, phong_lobe};
+use crate::math::{DVec3, Departure, Ray, Side, SurfaceId, Vec3};
+use crate::scene::Mistake;
 use crate::shapes::Surface;
 
 /// A surface as the ray sees it: the normals turned to the ray's side.
@@ -35,3 +40,94 @@ impl View {
         Event::Hit { surface: *surface, side, shading_normal, distance, cosine, transmittance }
     }
 }
+
+/// What a surface shows to a ray in the light of the sources alone.
+pub enum Appearance {
+    /// A colour that does not depend on light, and what an observer is told of it.
+    Own(&'static str, Vec3),
+    Reflecting(Reflection),
+}
+
+/// How a surface reflects light from the light sources towards the viewer.
+#[derive(Clone, Copy)]
+pub struct Reflection {
+    /// Share of the light that is reflected in all directions alike.
+    pub diffuse: Vec3,
+    highlight: Option<Highlight>,
+}
+
+/// A Phong highlight.
+#[derive(Clone, Copy)]
+struct Highlight {
+    specular: Vec3,
+    exponent: f32,
+    /// The direction in which a mirror would send the viewer's ray.
+    mirrored: DVec3,
+}
+
+impl Reflection {
+    /// The reflectance distribution function for light from a unit direction: `diffuse / pi`, and Phong's lobe where the
+    /// surface has a highlight.
+    #[inline(always)]
+    pub fn reflectance(&self, to_light: DVec3) -> Vec3 {
+        let mut reflectance = self.diffuse / PI;
+        if let Some(Highlight { specular, exponent, mirrored }) = self.highlight {
+            reflectance += specular * phong_lobe(mirrored.dot(to_light) as f32, exponent);
+        }
+        reflectance
+    }
+}
+
+/// What a surface shows to a ray of a direction.
+#[inline(always)]
+pub fn appearance(material: &Material, surface: &Surface, view: &View, direction: DVec3) -> Appearance {
+    let place = surface.texture_coordinates;
+    let reflecting = |diffuse, highlight| Appearance::Reflecting(Reflection { diffuse, highlight });
+    match material {
+        Material::Normals | Material::TextureCoordinates => {
+            let (what, colour) = debug_colour(material, surface).unwrap_or_default();
+            Appearance::Own(what, colour)
+        }
+        Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
+            Appearance::Own("nothing that this integrator follows: black", Vec3::ZERO)
+        }
+        Material::Light { radiance } if view.side == Side::Front => Appearance::Own(SHINES, *radiance),
+        Material::Light { .. } => Appearance::Own("back of a light: black", Vec3::ZERO),
+        Material::Lambert { colour } | Material::Coated { colour, .. } => reflecting(colour.at(place), None),
+        Material::Phong { diffuse, specular, exponent } => {
+            let mirrored = reflect(direction, view.shading_normal);
+            let highlight = Highlight { specular: *specular, exponent: *exponent, mirrored };
+            reflecting(diffuse.at(place), Some(highlight))
+        }
+    }
+}
+
+/// The ray from a surface towards a light; for lessons, with the mistake they ask for.
+#[inline]
+pub fn shadow_ray(mistake: Option<Mistake>, position: DVec3, surface: SurfaceId, side: Side, to_light: DVec3) -> Ray {
+    match mistake {
+        Some(Mistake::ShadowAcne) => Ray::new(position.as_vec3().as_dvec3(), to_light),
+        None => Ray { origin: position, direction: to_light, departure: Some(Departure { surface, side }) },
+    }
+}
+
+/// The colour of a material for debugging, and what an observer is told of it; `None` for all other materials.
+pub fn debug_colour(material: &Material, surface: &Surface) -> Option<(&'static str, Vec3)> {
+    match material {
+        Material::Normals => Some((NORMAL_COLOUR, normal_colour(surface.shading_normal))),
+        Material::TextureCoordinates => {
+            let fraction = (surface.texture_coordinates - surface.texture_coordinates.floor()).as_vec2();
+            Some(("texture coordinates as red and green", Vec3::new(fraction.x, fraction.y, 0.0)))
+        }
+        _ => None,
+    }
+}
+
+/// A unit vector as a colour: each component from `[-1, 1]` to `[0, 1]`.
+pub fn normal_colour(normal: DVec3) -> Vec3 {
+    (normal.as_vec3() + 1.0) / 2.0
+}
+
+/// What an observer is told of the colours that surfaces show by themselves.
+pub const NORMAL_COLOUR: &str = "shading normal as a colour, (n + 1) / 2";
+pub const SHINES: &str = "shines by itself";

@@ -1,7 +1,6 @@
 //! Rays of the same depth, and what is found of them step by step.
 
-use crate::integrators::common::appearance::Reflection;
-use crate::integrators::common::view::View;
+use crate::integrators::common::view::{Reflection, View};
 use crate::materials::MediumStack;
 use crate::materials::fresnel::Boundary;
 use crate::math::{DVec3, Ray, SurfaceId, Vec3};

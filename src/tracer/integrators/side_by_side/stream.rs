@@ -17,7 +17,7 @@ pub struct RayStream {
 
 impl RayStream {
     /// Rays that are traced together, about: enough to fill the processor, few enough to stay in its nearest memory.
-    pub const LENGTH: usize = 16;
+    pub const LENGTH: usize = 32;
 
     /// An empty stream whose rays are sent on at most `depth` times. `cones` are those from the point that all rays start at.
     pub fn new(depth: u32, cones: Option<ViewCones>) -> Self {

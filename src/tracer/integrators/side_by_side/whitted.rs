@@ -4,10 +4,9 @@
 
 use super::queue::{Found, Glass, Lit, Meeting, Mirror, Origin, Path, Queue, Sender};
 use super::stream::RayStream;
-use crate::integrators::common::appearance::{Appearance, appearance, shadow_ray};
 use crate::integrators::common::media::{Media, enclosed, medium_before};
 use crate::integrators::common::task::RayCounts;
-use crate::integrators::common::view::View;
+use crate::integrators::common::view::{Appearance, View, appearance, shadow_ray};
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::materials::fresnel::{boundary, reflect, refract};
@@ -65,7 +64,7 @@ impl Pass<'_, '_> {
     fn trace(&mut self, cones: Option<&ViewCones>, queues: &mut [Queue]) {
         let Some((queue, deeper)) = queues.split_first_mut() else { return };
         self.settle(queue);
-        self.tracer.scene.shapes.intersect_all(queue.paths.iter().map(|path| &path.ray), cones, &mut queue.hits);
+        self.tracer.scene.shapes.intersect_all(cones, queue.paths.iter().map(|path| &path.ray), &mut queue.hits);
         self.find_surfaces(queue);
         self.find_materials(queue);
         self.illuminate(&mut queue.found);

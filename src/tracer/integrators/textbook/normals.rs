@@ -1,9 +1,8 @@
 //! The shading normal as a colour: the first picture of a ray tracer that meets something.
 
-use crate::integrators::common::appearance::{NORMAL_COLOUR, normal_colour};
 use crate::integrators::common::observer::{Event, Observer};
 use crate::integrators::common::task::Task;
-use crate::integrators::common::view::View;
+use crate::integrators::common::view::{NORMAL_COLOUR, View, normal_colour};
 use crate::math::{Ray, Vec3};
 
 /// `(n + 1) / 2` at the nearest hit, black where nothing is hit.

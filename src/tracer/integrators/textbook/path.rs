@@ -14,15 +14,12 @@
 //! Simulation, 1997, section 9.2; the loop: Pharr, Jakob and Humphreys, Physically Based Rendering, 4th edition,
 //! section 13.4, "A Better Path Tracer".)
 
-use crate::integrators::common::appearance::{
-    COORDINATES_COLOUR, NORMAL_COLOUR, SHINES, coordinates_colour, normal_colour,
-};
 use crate::integrators::common::lights::{LightTables, power_heuristic, weight_of_chance};
 use crate::integrators::common::media::{Media, medium_before};
 use crate::integrators::common::observer::{Event, LightOutcome, Observer, RayKind};
 use crate::integrators::common::task::Task;
 use crate::integrators::common::vertex::Vertex;
-use crate::integrators::common::view::View;
+use crate::integrators::common::view::{SHINES, View, debug_colour};
 use crate::materials::{Material, MediumStack, ScatteringSample};
 use crate::math::{Ray, Side, Vec3};
 use crate::scene::Strategy;
@@ -121,7 +118,8 @@ impl<O: Observer> PathTracer<'_, O> {
         self.add("environment, met by chance", carried * transmittance * environment * weight);
     }
 
-    /// What a surface shows without any light: what it emits, which counts `weight`, or a colour for debugging.
+    /// What a surface shows without any light: what it emits, which counts `weight`, or a colour for debugging. `None` if
+    /// nothing.
     pub fn add_own_light(
         &mut self,
         carried: Vec3,
@@ -129,14 +127,13 @@ impl<O: Observer> PathTracer<'_, O> {
         surface: &Surface,
         view: &View,
         weight: impl FnOnce() -> f32,
-    ) {
+    ) -> Option<()> {
         let (what, colour) = match material {
             Material::Light { radiance } if view.side == Side::Front => (SHINES, *radiance * weight()),
-            Material::Normals => (NORMAL_COLOUR, normal_colour(surface.shading_normal)),
-            Material::TextureCoordinates => (COORDINATES_COLOUR, coordinates_colour(surface.texture_coordinates)),
-            _ => return,
+            _ => debug_colour(material, surface)?,
         };
         self.add(what, carried * colour);
+        Some(())
     }
 
     /// The light of one light source with an extent, by a ray sent to it. `None` if it adds nothing.

@@ -12,10 +12,9 @@
 //! (Phong, Illumination for Computer Generated Pictures, 1975; Shirley and Marschner, Fundamentals of Computer Graphics,
 //! chapter "Ray Tracing", sections on shading and shadows.)
 
-use crate::integrators::common::appearance::{Appearance, Reflection, appearance, shadow_ray};
 use crate::integrators::common::observer::{Event, LightOutcome, Observer};
 use crate::integrators::common::task::Task;
-use crate::integrators::common::view::View;
+use crate::integrators::common::view::{Appearance, Reflection, View, appearance, shadow_ray};
 use crate::lights::Light;
 use crate::math::{Ray, Vec3};
 use crate::shapes::Surface;

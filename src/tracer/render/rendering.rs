@@ -1,0 +1,24 @@
+//! A finished picture.
+
+use super::layers::Layers;
+use crate::integrators::RayCounts;
+use crate::picture::Raster;
+use crate::scene::Wing;
+
+/// A finished picture and what it cost.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rendering {
+    /// Linear radiance.
+    pub raster: Raster,
+    pub counts: RayCounts,
+    /// Samples that every pixel has; some may have more if the rendering was stopped.
+    pub samples: u32,
+    /// True if it was stopped before all samples were taken.
+    pub stopped: bool,
+    /// What was asked for beside the picture.
+    pub layers: Option<Layers>,
+    /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
+    pub left_out: Vec<String>,
+    /// The code that rendered.
+    pub wing: Wing,
+}
