@@ -42,14 +42,14 @@ pub(super) struct Casters {
 /// Rays that start close to one another.
 pub(super) struct Bundle {
     pub ray: Ray,
-    /// Moved along the two axes of the disc.
+    /// From the same point of the source, moved along the two axes of the disc.
     pub moved: [Ray; 2],
-    /// Turned about the point on the disc.
+    /// Turned about the point on the disc, from other points of the source.
     pub turned: [Ray; 2],
     /// Length of the sideways step, and of the turn.
     pub steps: [f64; 2],
-    /// Unit direction to the source.
-    pub towards_source: DVec3,
+    /// Radius of a disc at distance 1 that looks as large as the source.
+    pub width: f64,
 }
 
 impl Casters {
@@ -78,6 +78,8 @@ impl Casters {
         let index = self.casters.partition_point(|caster| caster.cumulative <= choice * total);
         let caster = self.casters.get(index)?;
         let light = lights.sample(caster.centre, [direction_x, direction_y], light_choice)?;
+        // The source fills the solid angle 1 / density, of those that its share of all choices goes to.
+        let width = (light.share / (light.density * std::f64::consts::PI)).sqrt();
         let frame = Frame::around(light.direction);
         let point = concentric_disc([disc_x, disc_y]) * caster.radius;
         let through = caster.centre + frame.tangent * point.x + frame.bitangent * point.y;
@@ -94,12 +96,18 @@ impl Casters {
         let start = |through: DVec3, towards: DVec3| Ray::new(through + towards * distance, -towards);
         let axes = [frame.tangent, frame.bitangent];
         let step = STEP * caster.radius;
+        let ray = start(through, towards);
+        // From the same point of the source: parallel if it is infinitely far, else in directions that differ.
+        let moved = |beside: DVec3| match light.distance.is_finite() {
+            true => Ray::new(ray.origin, (beside - ray.origin).normalize()),
+            false => start(beside, towards),
+        };
         Some(Bundle {
-            ray: start(through, towards),
-            moved: axes.map(|axis| start(through + axis * step, towards)),
+            ray,
+            moved: axes.map(|axis| moved(through + axis * step)),
             turned: axes.map(|axis| start(through, (towards + axis * TURN).normalize())),
             steps: [step, TURN],
-            towards_source: towards,
+            width,
         })
     }
 }

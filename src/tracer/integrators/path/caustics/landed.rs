@@ -5,7 +5,6 @@ use super::chain::{Chain, ChainTracer};
 use super::emission::{Bundle, Casters};
 use super::photon::Photon;
 use super::spread::Spread;
-use crate::math::DVec3;
 use crate::parallel;
 use crate::sampling::{PixelSampler, Sampling};
 use crate::scene::{Plan, Scene};
@@ -67,29 +66,12 @@ impl<'a> LightAhead<'a> {
         landed.into_iter().flat_map(|landed: Vec<Landed>| landed).collect()
     }
 
-    /// The tangent of the angle that covers a source, from the directions of rays that it sent: small sources lie apart, so
-    /// of all distances between directions the small ones tell. (In a disc of radius r, a quarter of the pairs are nearer
-    /// than 0.57 r.)
-    pub fn width(&self, landed: &[Landed]) -> f64 {
-        let mut bundles: Vec<u32> = landed.iter().map(|landed| landed.bundle).collect();
-        bundles.dedup();
-        let some = bundles.iter().step_by(bundles.len() / 64 + 1);
-        let few: Vec<DVec3> = some.filter_map(|&bundle| self.bundle(bundle)).map(|sent| sent.towards_source).collect();
-        let pairs = few
-            .iter()
-            .enumerate()
-            .flat_map(|(index, one)| few[..index].iter().map(move |other| (*one - *other).length()));
-        let mut distances: Vec<f64> = pairs.collect();
-        distances.sort_by(f64::total_cmp);
-        distances.get(distances.len() / 4).map_or(0.1, |quarter| quarter / 0.57)
-    }
-
-    /// The photons of what landed by one way, for a source of the given width.
-    pub fn photons(&self, landed: &[&Landed], width: f64, way: u32) -> Vec<Photon> {
+    /// The photons of what landed by one way.
+    pub fn photons(&self, landed: &[&Landed], way: u32) -> Vec<Photon> {
         let some = parallel::map(landed.chunks(BUNDLES_AT_ONCE as usize), |landed| {
             let photon = |landed: &&Landed| {
                 let spread = Spread::of(&self.tracer, &self.bundle(landed.bundle)?, &landed.chain);
-                Some(spread.photon(&landed.chain, width, way))
+                Some(spread.photon(&landed.chain, way))
             };
             landed.iter().filter_map(photon).collect::<Vec<_>>()
         });

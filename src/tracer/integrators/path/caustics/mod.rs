@@ -28,7 +28,7 @@ pub(super) use chain::branch;
 pub(super) use way::{Turn, WayCode};
 
 /// Most ways that are searched for; the weaker ones are left to chance.
-const MOST_WAYS: usize = 16;
+const MOST_WAYS: usize = 64;
 /// Fewest photons that tell of a way, and most that are kept of one.
 const FEWEST_PHOTONS: usize = 4;
 const MOST_PHOTONS: usize = 32_768;
@@ -58,11 +58,10 @@ impl CausticGuide {
         }
         let source = LightAhead::new(scene, plan, lights)?;
         let landed = source.send();
-        let width = source.width(&landed);
         let mut ways = Vec::new();
         let mut all = Vec::new();
         for (number, (code, landed)) in strongest(&landed).into_iter().enumerate() {
-            let photons = source.photons(&landed, width, number as u32);
+            let photons = source.photons(&landed, number as u32);
             all.extend_from_slice(&photons);
             let turns = landed[0].chain.turns.iter().rev().copied().collect();
             ways.push(Way { turns, code, photons: PhotonTree::new(photons).with_drift() });

@@ -11,6 +11,8 @@ pub(super) struct Spread {
     moved: Option<[(DVec3, DVec3); 2]>,
     /// The same by turning.
     turned: Option<[(DVec3, DVec3); 2]>,
+    /// Of the source.
+    width: f64,
 }
 
 impl Spread {
@@ -22,11 +24,12 @@ impl Spread {
             Some(((other.position - landing.position) / step, (other.towards - landing.towards) / step))
         };
         let both = |[one, other]: [_; 2], step| Some([change(one, step)?, change(other, step)?]);
-        Self { moved: both(bundle.moved, bundle.steps[0]), turned: both(bundle.turned, bundle.steps[1]) }
+        let (moved, turned) = (both(bundle.moved, bundle.steps[0]), both(bundle.turned, bundle.steps[1]));
+        Self { moved, turned, width: bundle.width }
     }
 
-    /// The photon, for a source of the given width (tangent of its radius) and the number of its way.
-    pub fn photon(&self, chain: &Chain, width: f64, way: u32) -> Photon {
+    /// The photon, with the number of its way.
+    pub fn photon(&self, chain: &Chain, way: u32) -> Photon {
         let Landing { position, normal, towards } = chain.landing;
         let Frame { tangent, bitangent, .. } = Frame::around(normal);
         let along = [tangent, bitangent];
@@ -37,7 +40,7 @@ impl Spread {
             axes: [view.tangent, view.bitangent],
             along,
             turn: [[0.0; 2]; 2],
-            half: [width; 2],
+            half: [self.width; 2],
             way,
             share: chain.share,
             drift: 0.0,
@@ -47,7 +50,7 @@ impl Spread {
             // Seen from the same place: what turning the source does, less what the move does that brings the ray back.
             Some(turned) => {
                 let seen = |(place, direction): (DVec3, DVec3)| {
-                    (direction - turn[0] * tangent.dot(place) - turn[1] * bitangent.dot(place)) * width
+                    (direction - turn[0] * tangent.dot(place) - turn[1] * bitangent.dot(place)) * self.width
                 };
                 ellipse_axes(turned.map(seen), towards)
             }
