@@ -26,8 +26,8 @@ pub struct Plan {
     /// Over flat, dull surfaces the open sky is computed beforehand, and rays are sent only to the few shapes that may hide
     /// it. (Left out after all if the sky is not even.)
     pub open_sky: bool,
-    /// Light is sent ahead to learn where mirrors and glass focus it: there are such, and surfaces to show it. (Left out
-    /// after all if no light source is small and bright.)
+    /// A photon pass learns where mirrors and glass focus light: there are such, and surfaces to show it. (Left out after
+    /// all if no light source is small and bright.)
     pub caustics: bool,
     /// Mirror directions are followed: there is a mirror or glass.
     pub reflection: bool,
@@ -107,7 +107,7 @@ impl Plan {
             Caustics::Auto if !self.light_sampling => "no rays sent to lights with an extent",
             Caustics::Auto => "no mirror and no smooth glass beside other surfaces",
         };
-        item(!self.caustics, &format!("{reason}: no light sent ahead to find caustics"));
+        item(!self.caustics, &format!("{reason}: no photon pass"));
     }
 
     /// What is left out and why, one sentence an item.

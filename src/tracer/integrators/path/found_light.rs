@@ -60,8 +60,8 @@ impl<'a, O: Observer> Walk<'a, O> {
             (Arrival::Camera, _) | (Arrival::Scattered { .. }, Strategy::Bsdf) => 1.0,
             (Arrival::Scattered { .. }, Strategy::Light) => f32::from(u8::from(light_density() <= 0.0)),
             (Arrival::Scattered { density }, _) => power_heuristic(density, light_density()),
-            (Arrival::Focused { density, towards, way, caustics }, _) => {
-                caustics.map_or(1.0, |directions| power_heuristic(density, directions.density(towards, way)))
+            (Arrival::Focused { density, towards, signature, caustics }, _) => {
+                caustics.map_or(1.0, |directions| power_heuristic(density, directions.density(towards, signature)))
             }
         }
     }

@@ -146,7 +146,7 @@ impl LightTables {
             items.push(format!("the environment is even ({share}): no rays sent to it"));
         }
         if plan.caustics && !self.is_concentrated() {
-            items.push(format!("no small bright light ({share}): no light sent ahead to find caustics"));
+            items.push(format!("no small bright light ({share}): no photon pass"));
         }
         items
     }

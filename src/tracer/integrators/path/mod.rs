@@ -28,7 +28,7 @@ use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
 use crate::scene::{Plan, Scene};
 use crate::shapes::Surface;
-use caustics::{CausticGuide, Directions, Turn, WayCode};
+use caustics::{CausticGuide, Directions, Signature, SpecularEvent};
 use lights::LightTables;
 use open_sky::OpenSky;
 use vertex::Vertex;
@@ -120,21 +120,21 @@ enum Arrival<'a> {
     /// At random with this density by solid angle, from a surface where lights were sampled, too.
     Scattered { density: f64 },
     /// By mirrors or smooth glass, after it was scattered in the direction `towards`, where caustics may have been searched
-    /// for, too: the density of that times the probability of the way taken since.
-    Focused { density: f64, towards: DVec3, way: WayCode, caustics: Option<Directions<'a>> },
+    /// for, too: the density of that times the probability of the specular chain since.
+    Focused { density: f64, towards: DVec3, signature: Signature, caustics: Option<Directions<'a>> },
 }
 
 impl<'a> Arrival<'a> {
     /// The same after a mirror or smooth glass.
     #[inline(always)]
     fn focused(self, path: &Path<'a>, vertex: &Vertex, sample: &ScatteringSample) -> Self {
-        let turn = Turn { shape: vertex.surface.id.shape, transmitted: sample.transmitted };
-        let (density, towards, way, caustics) = match self {
-            Arrival::Scattered { density } => (density, path.ray.direction, WayCode::START, path.caustics),
-            Arrival::Focused { density, towards, way, caustics } => (density, towards, way, caustics),
+        let event = SpecularEvent { shape: vertex.surface.id.shape, transmitted: sample.transmitted };
+        let (density, towards, signature, caustics) = match self {
+            Arrival::Scattered { density } => (density, path.ray.direction, Signature::START, path.caustics),
+            Arrival::Focused { density, towards, signature, caustics } => (density, towards, signature, caustics),
             arrival => return arrival,
         };
-        Arrival::Focused { density: density * sample.density, towards, way: way.then(turn), caustics }
+        Arrival::Focused { density: density * sample.density, towards, signature: signature.then(event), caustics }
     }
 }
 
