@@ -95,9 +95,9 @@ fn expected_name(scene: &str) -> String {
 }
 
 #[test]
-fn the_ten_lessons_are_there_in_both_languages() {
+fn the_eleven_lessons_are_there_in_both_languages() {
     let folders = folders();
-    assert_eq!(folders.len(), 10);
+    assert_eq!(folders.len(), 11);
     for (index, folder) in folders.iter().enumerate() {
         let lesson = lesson(folder);
         assert_eq!(lesson.number as usize, index + 1);
@@ -446,4 +446,19 @@ fn lesson_10_a_hierarchy_changes_no_pixel() {
     let walk = walk_through("10-hierarchies");
     let [with, without] = ["marbles-with-hierarchy", "marbles-without-hierarchy"].map(|scene| walk.rendered(scene));
     assert!(codes(&with) == codes(&without));
+}
+
+#[test]
+fn lesson_11_photons_find_the_faint_light_in_the_shadow() {
+    let walk = walk_through("11-light-through-glass");
+    // A square of the ball's shadow behind the spot.
+    let light = |picture: Picture| {
+        let raster = picture.to_raster();
+        let places = (70..74).flat_map(|y| (95..110).map(move |x| (x, y)));
+        places.map(|(x, y)| f64::from(raster.pixel(x, y).y)).sum::<f64>() / 60.0
+    };
+    let expected = light(walk.expected("glass-ball-with-photons"));
+    let with = light(walk.rendered("glass-ball-with-photons"));
+    let without = light(walk.rendered("glass-ball-without-photons"));
+    assert!((with / expected - 1.0).abs() < 0.2 && without < 0.5 * expected, "{with}, {without} of {expected}");
 }

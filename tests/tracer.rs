@@ -209,7 +209,7 @@ fn without_depth_the_path_tracer_leaves_out_for_that_reason() {
     insta::assert_snapshot!(Plan::new(&lit).left_out(&lit).join("\n"), @r"
     no point, spot or directional light: no rays to such
     depth 0: no rays sent to lights with an extent
-    depth 0: no light sent ahead to find caustics
+    depth 0: no photon pass
     depth 0: no reflected or refracted rays
     no environment picture: nothing decoded
     2 shapes, too few: no hierarchy over them

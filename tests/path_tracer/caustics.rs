@@ -90,6 +90,36 @@ fn the_probability_of_a_way_counts_in_the_weights() {
     assert_agrees(shown, expected, "light by way of the pane");
 }
 
+#[test]
+fn rays_to_a_caustic_go_to_the_image_of_the_lamp_and_hardly_beside_it() {
+    // A small lamp and its image in a plane mirror; a black screen keeps its direct light away:
+    //
+    //     lamp *
+    //         --- screen
+    //                     mirror |         * image
+    //     ----------------x------|
+    let scene = scene(
+        "integrator = { kind = \"path\", depth = 2 }\n\
+         materials.floor = { kind = \"lambert\", colour = 0.6 }\nmaterials.lamp = { kind = \"light\", radiance = 400 }\n\
+         materials.mirror = { kind = \"mirror\" }\nmaterials.black = { kind = \"lambert\", colour = 0 }\n\
+         shapes = [{ kind = \"plane\", material = \"floor\" },\n\
+                   { kind = \"sphere\", centre = [-2, 0, 3], radius = 0.1, material = \"lamp\" },\n\
+                   { kind = \"rectangle\", centre = [2, 0, 1], normal = [-1, 0, 0], size = [2, 2], material = \"mirror\" },\n\
+                   { kind = \"rectangle\", centre = [-1.61, 0, 2.55], size = [0.5, 0.5], material = \"black\" }]\n",
+    );
+    let samples = 20_000;
+    let (mean, error) = along(&scene, DVec3::new(0.6, -2.0, 2.0), DVec3::new(0.0, 2.0, -2.0), samples);
+    // The image lies at (6, 0, 3): irradiance pi L r^2 / d^2 cos, of a sphere above the horizon.
+    let square = 5.4 * 5.4 + 9.0_f64;
+    let expected = 0.6 * 400.0 * 0.01 / square * 3.0 / square.sqrt();
+    assert_agrees((mean, error), expected, "light by way of the mirror");
+    // In units of the image's radius, one photon draws with the density 1 / (pi (1 + s)^2), s the squared distance from the
+    // place of the image where its own light came from. Over two independent places of the disc E[s] = 1, E[s^2] = 5/3,
+    // so E[(1 + s)^2] = 14/3 is the mean square of a sample; several photons do better.
+    let square = 1.0 + f64::from(samples) * (error / mean).powi(2);
+    assert!(square < 14.0 / 3.0, "{square}");
+}
+
 /// Fresnel's reflectance of glass of index 1.5, by the cosine of the angle of incidence.
 fn reflectance(cosine: f64) -> f64 {
     let transmitted = (1.0 - (1.0 - cosine * cosine) / 2.25).sqrt();

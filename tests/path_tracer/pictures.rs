@@ -108,7 +108,7 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{mirror}")), @r"
     no point, spot or directional light: no rays to such
     no shining shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
-    no rays sent to lights with an extent: no light sent ahead to find caustics
+    no rays sent to lights with an extent: no photon pass
     no glass: no refracted rays, no media
     no environment picture: nothing decoded
     1 shape, too few: no hierarchy over them
@@ -117,14 +117,14 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     insta::assert_snapshot!(left_out(matt), @r"
     no point, spot or directional light: no rays to such
     no shining shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
-    no rays sent to lights with an extent: no light sent ahead to find caustics
+    no rays sent to lights with an extent: no photon pass
     no glass: no refracted rays, no media
     no environment picture: nothing decoded
     1 shape, too few: no hierarchy over them
     ");
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{matt}")), @r"
     no point, spot or directional light: no rays to such
-    no mirror and no smooth glass beside other surfaces: no light sent ahead to find caustics
+    no mirror and no smooth glass beside other surfaces: no photon pass
     no glass: no refracted rays, no media
     no environment picture: nothing decoded
     1 shape, too few: no hierarchy over them

@@ -45,8 +45,8 @@ pub struct Plan {
     pub light_sampling: bool,
     /// Tables are built that draw directions by the brightness of the environment.
     pub environment_sampling: bool,
-    /// Photons are sent out to learn where mirrors and glass focus light: there are such, and surfaces to show it. (Left out
-    /// after all if no light source is small and bright.)
+    /// A photon pass learns where mirrors and glass focus light: there are such, and surfaces to show it. (Left out after
+    /// all if no light source is small and bright.)
     pub caustics: bool,
     /// The path tracer follows both branches of smooth glass that the camera sees: there is such glass.
     pub branches: bool,
@@ -135,7 +135,7 @@ impl Plan {
             Caustics::Auto if !self.light_sampling => "no rays sent to lights with an extent",
             Caustics::Auto => "no mirror and no smooth glass beside other surfaces",
         };
-        item(!self.caustics, &format!("{reason}: no light sent ahead to find caustics"));
+        item(!self.caustics, &format!("{reason}: no photon pass"));
     }
 
     /// What is left out and why, one sentence an item.

@@ -17,7 +17,7 @@ pub struct IntegratorSettings {
     pub weight_cutoff: f32,
     /// How the path tracer finds light.
     pub strategy: Strategy,
-    /// Whether the path tracer sends light ahead to learn where glass and mirrors focus it.
+    /// Whether a photon pass tells the path tracer where glass and mirrors focus light.
     pub caustics: Caustics,
     /// Faster code than the textbook's is used where it applies.
     pub fast: bool,

@@ -41,6 +41,8 @@ pub struct LightSample {
     pub direction: DVec3,
     /// By solid angle, over all lights.
     pub density: f64,
+    /// Probability of choosing the light it comes from.
+    pub share: f64,
     /// Infinite for the environment.
     pub distance: f64,
     /// What must be hit there; `None` for the environment.
@@ -87,6 +89,7 @@ impl LightTables {
             return Some(LightSample {
                 direction,
                 density: density * self.environment_share,
+                share: self.environment_share,
                 distance: f64::INFINITY,
                 target: None,
             });
@@ -101,6 +104,7 @@ impl LightTables {
         Some(LightSample {
             direction: sample.to_shape,
             density: sample.density * light.share,
+            share: light.share,
             distance: sample.distance,
             target,
         })
@@ -142,7 +146,7 @@ impl LightTables {
             items.push(format!("the environment is even ({share}): no rays sent to it"));
         }
         if plan.caustics && !self.is_concentrated() {
-            items.push(format!("no small bright light ({share}): no light sent ahead to find caustics"));
+            items.push(format!("no small bright light ({share}): no photon pass"));
         }
         items
     }

@@ -8,7 +8,7 @@
 //!        --------x- ' - - - - - y---     a photon that hit the surface at y knows the direction back to the light
 //! ```
 
-use super::caustics::{CausticGuide, Directions, FocusedDirection, Turn, WayCode, branch};
+use super::caustics::{CausticGuide, Directions, FocusedDirection, Signature, SpecularEvent, branch};
 use crate::integrators::common::lights::{LightTables, power_heuristic, weight_of_chance};
 use crate::integrators::common::media::{Media, medium_before};
 use crate::integrators::common::observer::Blind;
@@ -89,8 +89,8 @@ enum Arrival<'a> {
     /// At random with this density by solid angle, from a surface where lights were sampled, too.
     Scattered { density: f64 },
     /// By mirrors or smooth glass, after it was scattered in the direction `towards`, where caustics may have been searched
-    /// for, too: the density of that times the probability of the way taken since.
-    Focused { density: f64, towards: DVec3, way: WayCode, caustics: Option<Directions<'a>> },
+    /// for, too: the density of that times the probability of the specular chain since.
+    Focused { density: f64, towards: DVec3, signature: Signature, caustics: Option<Directions<'a>> },
 }
 
 /// A guided path tracer at work on one sample of a pixel.
@@ -184,13 +184,13 @@ impl<'a> Walk<'a> {
         });
     }
 
-    /// Light that took one of the ways that photons know, by a ray in a direction where it may be seen. `None` if there is
-    /// none.
+    /// Light that arrives here by one of the specular chains that photons know, by a ray in a direction where it may be seen.
+    /// `None` if it adds nothing.
     fn add_focused_light(&mut self, path: &mut Path<'a>, vertex: &Vertex) -> Option<()> {
         let directions = self.guide?.around(vertex.surface.position);
         path.caustics = Some(directions);
         let [x, y, choice, _] = self.book.task.sampler.four().map(f64::from);
-        let FocusedDirection { direction, density, turns } = directions.draw([x, y], choice)?;
+        let FocusedDirection { direction, density, events } = directions.draw([x, y], choice)?;
         let evaluation = vertex.scattering.evaluate(vertex.towards_viewer, vertex.frame.to_local(direction));
         if evaluation.value == Vec3::ZERO || evaluation.density <= 0.0 {
             return None;
@@ -205,8 +205,8 @@ impl<'a> Walk<'a> {
             arrival: Arrival::Camera,
             caustics: None,
         };
-        let chance = self.follow_turns(&mut focused, turns)?;
-        // The other technique would have had to choose the direction and the way.
+        let chance = self.follow_chain(&mut focused, events)?;
+        // The other technique would have had to choose the direction and every branch.
         focused.carried *= power_heuristic(density, evaluation.density * chance);
         // The light at the end, if nothing else is in the way.
         match self.arrive(&mut focused) {
@@ -219,18 +219,18 @@ impl<'a> Walk<'a> {
         Some(())
     }
 
-    /// Follows a ray by the turns of a way. Returns the probability that chance takes it; `None` if it goes another way.
-    fn follow_turns(&mut self, path: &mut Path<'a>, turns: &[Turn]) -> Option<f64> {
+    /// Follows a ray along a specular chain. Returns the probability that chance takes it; `None` if it meets other events.
+    fn follow_chain(&mut self, path: &mut Path<'a>, events: &[SpecularEvent]) -> Option<f64> {
         let scene = self.book.task.scene;
         let mut chance = 1.0;
-        for turn in turns {
+        for event in events {
             let (surface, view) = self.arrive(path)?;
-            if surface.id.shape != turn.shape || path.bounces >= scene.integrator.depth {
+            if surface.id.shape != event.shape || path.bounces >= scene.integrator.depth {
                 return None;
             }
             let material = &scene.materials[surface.material as usize];
             let vertex = Vertex::new(&self.book.glass, &path.media, path.ray.direction, material, surface, view)?;
-            let (sample, probability) = branch(&vertex, turn.transmitted)?;
+            let (sample, probability) = branch(&vertex, event.transmitted)?;
             self.leave(path, &vertex, &sample)?;
             chance *= probability;
         }
@@ -245,21 +245,21 @@ impl<'a> Arrival<'a> {
         match self {
             Arrival::Camera => 1.0,
             Arrival::Scattered { density } => weight_of_chance(strategy, Some(density), sampled),
-            Arrival::Focused { density, towards, way, caustics } => {
-                caustics.map_or(1.0, |directions| power_heuristic(density, directions.density(towards, way)))
+            Arrival::Focused { density, towards, signature, caustics } => {
+                caustics.map_or(1.0, |directions| power_heuristic(density, directions.density(towards, signature)))
             }
         }
     }
 
     /// The same after a mirror or smooth glass.
     fn focused(self, path: &Path<'a>, vertex: &Vertex, sample: &ScatteringSample) -> Self {
-        let turn = Turn { shape: vertex.surface.id.shape, transmitted: sample.transmitted };
-        let (density, towards, way, caustics) = match self {
+        let event = SpecularEvent { shape: vertex.surface.id.shape, transmitted: sample.transmitted };
+        let (density, towards, signature, caustics) = match self {
             Arrival::Camera => return self,
-            Arrival::Scattered { density } => (density, path.ray.direction, WayCode::START, path.caustics),
-            Arrival::Focused { density, towards, way, caustics } => (density, towards, way, caustics),
+            Arrival::Scattered { density } => (density, path.ray.direction, Signature::START, path.caustics),
+            Arrival::Focused { density, towards, signature, caustics } => (density, towards, signature, caustics),
         };
-        Arrival::Focused { density: density * sample.density, towards, way: way.then(turn), caustics }
+        Arrival::Focused { density: density * sample.density, towards, signature: signature.then(event), caustics }
     }
 }
 

@@ -1,6 +1,6 @@
-//! Light on its way through glass and mirrors, from the source to the first surface that scatters it.
+//! Specular chains: light through glass and mirrors, from the source to the first surface that scatters it.
 
-use super::way::Turn;
+use super::signature::SpecularEvent;
 use crate::colour::luminance;
 use crate::integrators::common::media::Media;
 use crate::integrators::common::vertex::Vertex;
@@ -9,13 +9,13 @@ use crate::materials::{MediumStack, ScatteringSample};
 use crate::math::{DVec3, Ray};
 use crate::scene::{Plan, Scene};
 
-/// Ways that keep less of the light are not followed, nor those of more turns.
+/// Chains that keep less of the light are not followed, nor those of more events.
 const LEAST_SHARE: f64 = 0.003;
-const MOST_TURNS: usize = 32;
+const MOST_EVENTS: usize = 32;
 
-/// Where light lands after at least one mirror or smooth glass.
+/// Where light hits a surface that scatters it, after at least one mirror or smooth glass.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Landing {
+pub(super) struct PhotonHit {
     pub position: DVec3,
     /// Unit normal of the surface, on the side the light comes from.
     pub normal: DVec3,
@@ -23,14 +23,14 @@ pub(super) struct Landing {
     pub towards: DVec3,
 }
 
-/// A way that light took, and where it landed.
+/// A specular chain, and where it ends.
 #[derive(Debug, Clone)]
 pub(super) struct Chain {
     /// From the source on.
-    pub turns: Vec<Turn>,
-    /// Share of the light that takes this way.
+    pub events: Vec<SpecularEvent>,
+    /// Share of the light that takes this chain.
     pub share: f64,
-    pub landing: Landing,
+    pub hit: PhotonHit,
 }
 
 /// Follows light through the scene.
@@ -41,65 +41,64 @@ pub(super) struct ChainTracer<'a> {
     longest: usize,
 }
 
-/// Light that is under way.
+/// A chain that is not at its end.
 #[derive(Clone)]
 struct Flight {
     ray: Ray,
     media: MediumStack,
-    turns: Vec<Turn>,
+    events: Vec<SpecularEvent>,
     share: f64,
 }
 
 impl<'a> ChainTracer<'a> {
     pub fn new(scene: &'a Scene, plan: &Plan) -> Self {
         let media = Media { scene, absorption: plan.absorption };
-        Self { scene, media, longest: MOST_TURNS.min(scene.integrator.depth as usize) }
+        Self { scene, media, longest: MOST_EVENTS.min(scene.integrator.depth as usize) }
     }
 
-    /// Follows a ray of light both ways at every glass. Returns where it lands; not without a mirror or smooth glass on the
-    /// way.
+    /// Follows a ray of light along both branches of every glass. Returns the chains of at least one mirror or smooth glass.
     pub fn explore(&self, ray: Ray) -> Vec<Chain> {
         let mut chains = Vec::new();
-        let mut flights = vec![Flight { ray, media: MediumStack::default(), turns: Vec::new(), share: 1.0 }];
+        let mut flights = vec![Flight { ray, media: MediumStack::default(), events: Vec::new(), share: 1.0 }];
         while let Some(flight) = flights.pop() {
             let Some(vertex) = self.meet(&flight.ray, &flight.media) else { continue };
             if !vertex.scattering.is_specular() {
-                if !flight.turns.is_empty() {
-                    let landing = landing(&vertex, &flight.ray);
-                    chains.push(Chain { turns: flight.turns, share: flight.share, landing });
+                if !flight.events.is_empty() {
+                    let hit = hit(&vertex, &flight.ray);
+                    chains.push(Chain { events: flight.events, share: flight.share, hit });
                 }
-            } else if flight.turns.len() < self.longest {
+            } else if flight.events.len() < self.longest {
                 for transmitted in [false, true] {
-                    flights.extend(self.turned(&flight, &vertex, transmitted));
+                    flights.extend(self.branched(&flight, &vertex, transmitted));
                 }
             }
         }
         chains
     }
 
-    /// The light that goes on one way; `None` if that is none, or hardly any.
-    fn turned(&self, flight: &Flight, vertex: &Vertex, transmitted: bool) -> Option<Flight> {
+    /// The light in one branch; `None` if that is none, or hardly any.
+    fn branched(&self, flight: &Flight, vertex: &Vertex, transmitted: bool) -> Option<Flight> {
         let (sample, _) = branch(vertex, transmitted)?;
         let share = flight.share * f64::from(luminance(sample.weight));
         let mut next = Flight { share, ..flight.clone() };
         next.ray = vertex.departure(&sample, &mut next.media)?;
-        next.turns.push(Turn { shape: vertex.surface.id.shape, transmitted });
+        next.events.push(SpecularEvent { shape: vertex.surface.id.shape, transmitted });
         (share >= LEAST_SHARE).then_some(next)
     }
 
-    /// Follows a ray that lies beside another one by the same turns. `None` if it goes another way.
-    pub fn follow(&self, mut ray: Ray, turns: &[Turn]) -> Option<Landing> {
+    /// Follows a ray beside another one through the same events. `None` if it meets others.
+    pub fn follow(&self, mut ray: Ray, events: &[SpecularEvent]) -> Option<PhotonHit> {
         let mut media = MediumStack::default();
-        for turn in turns {
+        for event in events {
             let vertex = self.meet(&ray, &media)?;
-            if vertex.surface.id.shape != turn.shape {
+            if vertex.surface.id.shape != event.shape {
                 return None;
             }
-            let (sample, _) = branch(&vertex, turn.transmitted)?;
+            let (sample, _) = branch(&vertex, event.transmitted)?;
             ray = vertex.departure(&sample, &mut media)?;
         }
         let vertex = self.meet(&ray, &media)?;
-        (!vertex.scattering.is_specular()).then(|| landing(&vertex, &ray))
+        (!vertex.scattering.is_specular()).then(|| hit(&vertex, &ray))
     }
 
     fn meet(&self, ray: &Ray, media: &MediumStack) -> Option<Vertex<'a>> {
@@ -111,11 +110,11 @@ impl<'a> ChainTracer<'a> {
     }
 }
 
-fn landing(vertex: &Vertex, ray: &Ray) -> Landing {
-    Landing { position: vertex.surface.position, normal: vertex.view.normal, towards: -ray.direction }
+fn hit(vertex: &Vertex, ray: &Ray) -> PhotonHit {
+    PhotonHit { position: vertex.surface.position, normal: vertex.view.normal, towards: -ray.direction }
 }
 
-/// One of the delta lobes of a mirror or smooth glass, with the whole weight of its way, and the probability with which
+/// One of the delta lobes of a mirror or smooth glass, with its whole weight, and the probability with which
 /// [`Scattering::sample`](crate::materials::Scattering::sample) chooses it; `None` if there is none on that side, or if the
 /// surface is neither.
 #[inline]
@@ -134,10 +133,10 @@ pub fn branch(vertex: &Vertex, transmitted: bool) -> Option<(ScatteringSample, f
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::integrators::guided::caustics::way::WayCode;
+    use crate::integrators::guided::caustics::signature::Signature;
 
     #[test]
-    fn light_divides_among_its_ways_and_lands_where_it_is_followed_to() {
+    fn light_divides_among_its_chains_and_hits_where_it_is_followed_to() {
         let text = "camera = { position = [0, -5, 1], target = [0, 0, 0], size = [8, 8] }\n\
                     integrator = { kind = \"path\", depth = 8 }\nmaterials.floor = { kind = \"lambert\", colour = 0.5 }\n\
                     materials.glass = { kind = \"glass\" }\nmaterials.mirror = { kind = \"mirror\" }\n\
@@ -154,17 +153,17 @@ mod tests {
             let shares: f64 = chains.iter().map(|chain| chain.share).sum();
             assert!(shares <= 1.0 + 1e-6, "{shares}");
             for (index, chain) in chains.iter().enumerate() {
-                let code = WayCode::of(&chain.turns);
-                assert!(chains[..index].iter().all(|other| WayCode::of(&other.turns) != code));
-                let again = tracer.follow(ray, &chain.turns).unwrap();
-                assert_eq!((again.position, again.towards), (chain.landing.position, chain.landing.towards));
-                assert!(tracer.follow(ray, &chain.turns[1..]).is_none());
+                let signature = Signature::of(&chain.events);
+                assert!(chains[..index].iter().all(|other| Signature::of(&other.events) != signature));
+                let again = tracer.follow(ray, &chain.events).unwrap();
+                assert_eq!((again.position, again.towards), (chain.hit.position, chain.hit.towards));
+                assert!(tracer.follow(ray, &chain.events[1..]).is_none());
             }
         }
         // Straight down through the middle of the glass: what enters and leaves is (1 - 0.04)^2.
         let down = tracer.explore(Ray::new(DVec3::new(0.0, 0.0, 9.0), DVec3::NEG_Z));
-        let through = down.iter().find(|chain| chain.turns.len() == 2).unwrap();
+        let through = down.iter().find(|chain| chain.events.len() == 2).unwrap();
         assert!((through.share - 0.96 * 0.96).abs() < 1e-6, "{}", through.share);
-        assert!(through.landing.position.length() < 1e-12, "{:?}", through.landing);
+        assert!(through.hit.position.length() < 1e-12, "{:?}", through.hit);
     }
 }

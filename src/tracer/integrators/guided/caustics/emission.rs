@@ -1,11 +1,11 @@
 //! Where focused light starts: rays from bright sources towards the glass and mirrors of a scene.
 //!
 //! ```text
-//!     source, far away      disc around a mirror or glass,      The rays of a bundle start beside one another, moved
-//!        \  \  \  \         facing the source                   along the disc, or turned about its point: how they
-//!         \  \  \  \  ___                                       spread tells how the light is focused.
-//!          \  \  \ .-'   '-.
-//!           \  \  (   disc  )
+//!     *  source            A beam is a ray from a point of the source through the disc, two rays from the same point
+//!      \\                  moved along the disc, and two through the same point of the disc from beside the source's
+//!       \\  ___            point. Their spread tells how the light is focused and how large the source looks.
+//!        .-\\  '-.
+//!       (   \\    )  disc around a mirror or glass, facing the source
 //! ```
 
 use crate::colour::luminance;
@@ -18,10 +18,10 @@ use crate::shapes::{BoundingBall, Primitive};
 
 /// How much brighter than the mean of the environment its light must be to be worth sending out.
 const BRIGHT: f64 = 16.0;
-/// Sideways steps of a bundle, in radii of the disc.
+/// Sideways steps of a beam, in radii of the disc.
 const STEP: f64 = 1e-4;
-/// Turns of a bundle, as tangents.
-const TURN: f64 = 1e-5;
+/// Rotations of a beam, as tangents.
+const ROTATION: f64 = 1e-5;
 
 /// A mirror or glass with an end, as a sphere around it.
 #[derive(Debug, Clone, Copy)]
@@ -40,16 +40,16 @@ pub(super) struct Casters {
 }
 
 /// Rays that start close to one another.
-pub(super) struct Bundle {
+pub(super) struct Beam {
     pub ray: Ray,
-    /// Moved along the two axes of the disc.
+    /// From the same point of the source, moved along the two axes of the disc.
     pub moved: [Ray; 2],
-    /// Turned about the point on the disc.
+    /// Turned about the point on the disc, from other points of the source.
     pub turned: [Ray; 2],
-    /// Length of the sideways step, and of the turn.
+    /// Length of the sideways step, and of the rotation.
     pub steps: [f64; 2],
-    /// Unit direction to the source.
-    pub towards_source: DVec3,
+    /// Radius of a disc at distance 1 that looks as large as the source.
+    pub width: f64,
 }
 
 impl Casters {
@@ -71,19 +71,21 @@ impl Casters {
     }
 
     /// Rays from a source to a random one of them. `None` if the chosen direction is not bright.
-    pub fn bundle(&self, scene: &Scene, lights: &LightTables, sampler: &mut PixelSampler) -> Option<Bundle> {
+    pub fn beam(&self, scene: &Scene, lights: &LightTables, sampler: &mut PixelSampler) -> Option<Beam> {
         let [direction_x, direction_y, disc_x, disc_y] = sampler.four().map(f64::from);
         let [choice, light_choice, ..] = sampler.four().map(f64::from);
         let total = self.casters.last()?.cumulative;
         let index = self.casters.partition_point(|caster| caster.cumulative <= choice * total);
         let caster = self.casters.get(index)?;
         let light = lights.sample(caster.centre, [direction_x, direction_y], light_choice)?;
+        // The source fills the solid angle 1 / density, of those that its share of all choices goes to.
+        let width = (light.share / (light.density * std::f64::consts::PI)).sqrt();
         let frame = Frame::around(light.direction);
         let point = concentric_disc([disc_x, disc_y]) * caster.radius;
         let through = caster.centre + frame.tangent * point.x + frame.bitangent * point.y;
         let (towards, distance) = if light.distance.is_finite() {
-            let way = caster.centre + light.direction * light.distance - through;
-            (way.normalize(), way.length())
+            let offset = caster.centre + light.direction * light.distance - through;
+            (offset.normalize(), offset.length())
         } else {
             let bright = f64::from(luminance(scene.environment.radiance(light.direction)));
             if bright < BRIGHT * lights.mean_luminance() {
@@ -94,12 +96,18 @@ impl Casters {
         let start = |through: DVec3, towards: DVec3| Ray::new(through + towards * distance, -towards);
         let axes = [frame.tangent, frame.bitangent];
         let step = STEP * caster.radius;
-        Some(Bundle {
-            ray: start(through, towards),
-            moved: axes.map(|axis| start(through + axis * step, towards)),
-            turned: axes.map(|axis| start(through, (towards + axis * TURN).normalize())),
-            steps: [step, TURN],
-            towards_source: towards,
+        let ray = start(through, towards);
+        // From the same point of the source: parallel if it is infinitely far, else in directions that differ.
+        let moved = |beside: DVec3| match light.distance.is_finite() {
+            true => Ray::new(ray.origin, (beside - ray.origin).normalize()),
+            false => start(beside, towards),
+        };
+        Some(Beam {
+            ray,
+            moved: axes.map(|axis| moved(through + axis * step)),
+            turned: axes.map(|axis| start(through, (towards + axis * ROTATION).normalize())),
+            steps: [step, ROTATION],
+            width,
         })
     }
 }

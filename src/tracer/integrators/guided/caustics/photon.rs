@@ -1,4 +1,4 @@
-//! A photon: a place where focused light landed, and the directions it comes from around there.
+//! A photon: a place that focused light hit, and the directions it comes from around there.
 //!
 //! ```text
 //!            glass                   A photon at y saw the light in the direction w. At a place x nearby the light is
@@ -25,13 +25,13 @@ pub(super) struct Photon {
     pub towards: DVec3,
     /// Unit vectors at right angles to w: the axes of the light's image.
     pub axes: [DVec3; 2],
-    /// J: a step along `along[k]` moves the image by `turn[k]` on the plane.
+    /// J: a step along `along[k]` moves the image by `jacobian[k]` on the plane.
     pub along: [DVec3; 2],
-    pub turn: [[f64; 2]; 2],
+    pub jacobian: [[f64; 2]; 2],
     /// Half axes of the image on the plane.
     pub half: [f64; 2],
-    /// Number of the way the light took, and the share of it that did.
-    pub way: u32,
+    /// Number of the specular chain of the light, and the share of it that took it.
+    pub chain: u32,
     pub share: f64,
     /// How fast the image leaves the place that is foreseen: distance on the plane per squared distance from y.
     pub drift: f64,
@@ -52,7 +52,7 @@ impl Photon {
     pub fn forecast(&self, point: DVec3) -> Forecast {
         let offset = point - self.position;
         let steps = self.along.map(|along| along.dot(offset));
-        let middle = [0, 1].map(|axis| self.turn[0][axis] * steps[0] + self.turn[1][axis] * steps[1]);
+        let middle = [0, 1].map(|axis| self.jacobian[0][axis] * steps[0] + self.jacobian[1][axis] * steps[1]);
         // A direction foreseen far away is no forecast.
         let near = middle[0] * middle[0] + middle[1] * middle[1] < WIDEST * WIDEST;
         let blur = self.drift * offset.length_squared();
@@ -109,9 +109,9 @@ mod tests {
             towards,
             axes: [frame.tangent, frame.bitangent],
             along: [DVec3::X, DVec3::Y],
-            turn: [[0.1, 0.02], [0.0, -0.2]],
+            jacobian: [[0.1, 0.02], [0.0, -0.2]],
             half: [0.02, 0.1],
-            way: 0,
+            chain: 0,
             share: 1.0,
             drift: 0.5,
         };

@@ -1,33 +1,36 @@
-//! How a bundle of light spreads on its way: what a photon knows beyond its own place and direction.
+//! How a beam of light spreads along its chain: what a photon knows beyond its own place and direction.
 
-use super::chain::{Chain, ChainTracer, Landing};
-use super::emission::Bundle;
+use super::chain::{Chain, ChainTracer, PhotonHit};
+use super::emission::Beam;
 use super::photon::Photon;
 use crate::math::{DVec3, Frame};
 
-/// How far the rays beside the middle one landed from it, by length of their steps.
+/// How far from the middle ray those beside it hit, by length of their steps.
 pub(super) struct Spread {
-    /// Change of place and of direction by moving along the disc; `None` if they went another way.
+    /// Change of place and of direction by moving along the disc; `None` if they met other events.
     moved: Option<[(DVec3, DVec3); 2]>,
     /// The same by turning.
     turned: Option<[(DVec3, DVec3); 2]>,
+    /// Of the source.
+    width: f64,
 }
 
 impl Spread {
-    /// Follows the rays beside the middle one by its turns.
-    pub fn of(tracer: &ChainTracer, bundle: &Bundle, chain: &Chain) -> Self {
+    /// Follows the rays beside the middle one through its events.
+    pub fn of(tracer: &ChainTracer, beam: &Beam, chain: &Chain) -> Self {
         let change = |ray, step: f64| {
-            let other = tracer.follow(ray, &chain.turns)?;
-            let landing = &chain.landing;
-            Some(((other.position - landing.position) / step, (other.towards - landing.towards) / step))
+            let other = tracer.follow(ray, &chain.events)?;
+            let hit = &chain.hit;
+            Some(((other.position - hit.position) / step, (other.towards - hit.towards) / step))
         };
         let both = |[one, other]: [_; 2], step| Some([change(one, step)?, change(other, step)?]);
-        Self { moved: both(bundle.moved, bundle.steps[0]), turned: both(bundle.turned, bundle.steps[1]) }
+        let (moved, turned) = (both(beam.moved, beam.steps[0]), both(beam.turned, beam.steps[1]));
+        Self { moved, turned, width: beam.width }
     }
 
-    /// The photon, for a source of the given width (tangent of its radius) and the number of its way.
-    pub fn photon(&self, chain: &Chain, width: f64, way: u32) -> Photon {
-        let Landing { position, normal, towards } = chain.landing;
+    /// The photon, with the number of its chain.
+    pub fn photon(&self, chain: &Chain, number: u32) -> Photon {
+        let PhotonHit { position, normal, towards } = chain.hit;
         let Frame { tangent, bitangent, .. } = Frame::around(normal);
         let along = [tangent, bitangent];
         let view = Frame::around(towards);
@@ -36,30 +39,30 @@ impl Spread {
             towards,
             axes: [view.tangent, view.bitangent],
             along,
-            turn: [[0.0; 2]; 2],
-            half: [width; 2],
-            way,
+            jacobian: [[0.0; 2]; 2],
+            half: [self.width; 2],
+            chain: number,
             share: chain.share,
             drift: 0.0,
         };
-        let Some(turn) = self.turn_along(along) else { return unknown };
+        let Some(jacobian) = self.jacobian_along(along) else { return unknown };
         let (axes, half) = match self.turned {
             // Seen from the same place: what turning the source does, less what the move does that brings the ray back.
             Some(turned) => {
                 let seen = |(place, direction): (DVec3, DVec3)| {
-                    (direction - turn[0] * tangent.dot(place) - turn[1] * bitangent.dot(place)) * width
+                    (direction - jacobian[0] * tangent.dot(place) - jacobian[1] * bitangent.dot(place)) * self.width
                 };
                 ellipse_axes(turned.map(seen), towards)
             }
             None => (unknown.axes, unknown.half),
         };
         let on_plane = |vector: DVec3| axes.map(|axis| axis.dot(vector));
-        Photon { axes, turn: turn.map(on_plane), half, ..unknown }
+        Photon { axes, jacobian: jacobian.map(on_plane), half, ..unknown }
     }
 
     /// J = W Y^-1: the change of direction for a step along either axis of the surface, from the changes of place Y and of
-    /// direction W by moving the start of the ray. `None` where neighbours went another way or all land in one line.
-    fn turn_along(&self, [tangent, bitangent]: [DVec3; 2]) -> Option<[DVec3; 2]> {
+    /// direction W by moving the start of the ray. `None` where neighbours met other events or all hit in one line.
+    fn jacobian_along(&self, [tangent, bitangent]: [DVec3; 2]) -> Option<[DVec3; 2]> {
         let [one, other] = self.moved?;
         let flat = |offset: DVec3| [tangent.dot(offset), bitangent.dot(offset)];
         let ([a, c], [b, d]) = (flat(one.0), flat(other.0));
@@ -72,7 +75,7 @@ impl Spread {
 /// The axes of the ellipse that two vectors (at right angles to `normal`, more or less) make of the unit circle, and their
 /// lengths: the singular value decomposition of two columns (Golub and Van Loan, Matrix Computations, section 8.6).
 fn ellipse_axes([one, other]: [DVec3; 2], normal: DVec3) -> ([DVec3; 2], [f64; 2]) {
-    // Turn the circle so that the images of its axes are at right angles.
+    // SpecularEvent the circle so that the images of its axes are at right angles.
     let (difference, product) = (one.length_squared() - other.length_squared(), 2.0 * one.dot(other));
     let angle = 0.5 * crate::math::functions::arctan2(product, difference);
     let (sine, cosine) = (crate::math::functions::sin(angle), crate::math::functions::cos(angle));

@@ -72,7 +72,7 @@ fn split(photons: &mut [Photon], first: u32, nodes: &mut Vec<Node>) {
     let bounds = Bounds::around(photons.iter().map(|photon| photon.position));
     let extent = bounds.extent();
     if photons.len() <= HANDFUL {
-        // Around few photons the light does not end where the last one landed.
+        // Around few photons the light does not end at the last one.
         let margin = DVec3::splat(MARGIN * extent.max_element() + 1e-9);
         let bounds = Bounds { minimum: bounds.minimum - margin, maximum: bounds.maximum + margin };
         nodes.push(Node::Leaf { first, last: first + photons.len() as u32, bounds });
