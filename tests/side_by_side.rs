@@ -56,7 +56,7 @@ fn random_scenes_are_as_in_the_textbook() {
     }
 }
 
-/// Balls, given by centre and radius, tried one by one.
+/// SpherePack, given by centre and radius, tried one by one.
 fn balls(spheres: &[([f64; 3], f64)]) -> Aggregate {
     let ball = |&(centre, radius): &([f64; 3], f64)| {
         let transform = Transform::from_parts(DVec3::from(centre), DVec3::ZERO, DVec3::splat(radius)).unwrap();

@@ -44,7 +44,7 @@ fn a_white_furnace_stays_white_whatever_stands_in_it() {
     }
 }
 
-/// Direct light of a shining shape on a white Lambert floor at the origin, in each strategy.
+/// Direct light of an emissive shape on a white Lambert floor at the origin, in each strategy.
 fn assert_shows_light(shapes: &str, expected: f64) {
     for strategy in Strategy::ALL {
         let text = format!(
@@ -61,7 +61,7 @@ fn assert_shows_light(shapes: &str, expected: f64) {
 }
 
 #[test]
-fn shining_shapes_light_a_floor_as_their_form_factors_say() {
+fn emissive_shapes_light_a_floor_as_their_form_factors_say() {
     let (albedo, radiance) = (0.5, 3.0);
     // A sphere of radius r straight above at the distance d: E = pi L (r / d)^2.
     assert_shows_light(

@@ -107,7 +107,7 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     let mirror = "materials.a = { kind = \"mirror\" }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{mirror}")), @r"
     no point, spot or directional light: no rays to such
-    no shining shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
+    no emissive shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
     no rays sent to lights with an extent: no photon pass
     no glass: no refracted rays, no media
     no environment picture: nothing decoded
@@ -116,7 +116,7 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     let matt = "materials.a = { kind = \"lambert\", colour = 1 }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
     insta::assert_snapshot!(left_out(matt), @r"
     no point, spot or directional light: no rays to such
-    no shining shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
+    no emissive shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
     no rays sent to lights with an extent: no photon pass
     no glass: no refracted rays, no media
     no environment picture: nothing decoded

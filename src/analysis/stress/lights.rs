@@ -37,7 +37,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
     Subject {
         group: Group::Lobes,
         name: "black",
-        swept: "radiance of an even sky",
+        swept: "radiance of a uniform sky",
         error: "relative error of the density, constant and cube map; infinite if a black one draws",
         unit: "",
         bound: 1e-6,

@@ -22,7 +22,7 @@ pub fn ball(centre: DVec3, radius: f64) -> Primitive {
 pub fn hit_error(primitive: &Primitive, ray: &Ray) -> f64 {
     let found = primitive.intersect(ray, 0, f64::INFINITY).map(|hit| primitive.surface(ray, &hit).position);
     let local = WideRay::in_space_of(&primitive.transform, ray);
-    let chord = match (&primitive.geometry, primitive.as_ball()) {
+    let chord = match (&primitive.geometry, primitive.as_sphere()) {
         (_, Some((_, radius))) => {
             let offset = Transform::from_parts(primitive.transform.to_world.translation, DVec3::ZERO, DVec3::ONE);
             WideRay::in_space_of(&offset.expect("a translation"), ray).in_sphere(radius)

@@ -12,7 +12,7 @@ pub fn outside_limits(scene: &Scene) -> Vec<String> {
     for (number, shape) in scene.shapes.primitives().iter().enumerate() {
         let what = format!("shape {} ({})", number + 1, kind(shape));
         found.extend(shape_figures(shape).into_iter().filter_map(|(limit, value)| outside(&what, &limit, value)));
-        let lit = shape.material.numbers().iter().any(|&material| scene.materials[material as usize].shines());
+        let lit = shape.material.numbers().iter().any(|&material| scene.materials[material as usize].is_emissive());
         if lit && let Some(bounds) = shape.bounds() {
             let extent = bounds.extent();
             let side = extent.max_element();
@@ -49,7 +49,7 @@ fn shape_figures(shape: &Primitive) -> Vec<(Limit, f64)> {
     let mut figures = vec![(COORDINATE, place)];
     match &shape.geometry {
         Geometry::Flat(Outline::Plane) => return figures,
-        Geometry::Sphere => match shape.as_ball() {
+        Geometry::Sphere => match shape.as_sphere() {
             // A large ball that touches the origin is a ground: what counts is how far its surface is, not its centre.
             Some((_, radius)) => figures = vec![(RADIUS, radius), (COORDINATE, (place - radius).max(0.0))],
             None => figures.extend(uneven(scales)),

@@ -100,7 +100,7 @@ impl Material {
     }
 
     /// True if the surface sends out light by itself.
-    pub fn shines(&self) -> bool {
+    pub fn is_emissive(&self) -> bool {
         self.emission() != Vec3::ZERO
     }
 

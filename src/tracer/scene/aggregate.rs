@@ -3,7 +3,7 @@
 use super::boxed_shapes::BoxedShapes;
 use crate::materials::MediumStack;
 use crate::math::{Bounds, DVec3, Ray, Side, SurfaceId};
-use crate::shapes::{Balls, Hit, Primitive, Surface, ViewCones};
+use crate::shapes::{Hit, Primitive, SpherePack, Surface, ViewCones};
 
 /// No shape has this number.
 const NONE: u32 = u32::MAX;
@@ -13,7 +13,7 @@ const NONE: u32 = u32::MAX;
 pub struct Aggregate {
     primitives: Vec<Primitive>,
     /// Round spheres outside of the hierarchy, tried four at once.
-    balls: Vec<Balls>,
+    packs: Vec<SpherePack>,
     /// Other shapes outside of the hierarchy but meshes, tried one by one.
     listed: Vec<u32>,
     /// Meshes tried one by one.
@@ -57,12 +57,13 @@ impl Aggregate {
 
     /// Tries the shapes of the given numbers one after the other, and no others.
     fn listing(primitives: Vec<Primitive>, numbers: Vec<u32>) -> Self {
-        let ball = |shape: u32| primitives[shape as usize].as_ball().map(|(centre, radius)| (shape, centre, radius));
-        let balls = numbers.iter().filter_map(|&shape| ball(shape)).collect::<Vec<_>>();
-        let balls = balls.chunks(Balls::MOST).map(Balls::new).collect();
+        let sphere =
+            |shape: u32| primitives[shape as usize].as_sphere().map(|(centre, radius)| (shape, centre, radius));
+        let spheres = numbers.iter().filter_map(|&shape| sphere(shape)).collect::<Vec<_>>();
+        let packs = spheres.chunks(SpherePack::MOST).map(SpherePack::new).collect();
         let is_mesh = |shape: &u32| primitives[*shape as usize].is_mesh();
-        let (meshes, listed) = numbers.into_iter().filter(|&shape| ball(shape).is_none()).partition(is_mesh);
-        Self { balls, listed, meshes, primitives, hierarchy: None }
+        let (meshes, listed) = numbers.into_iter().filter(|&shape| sphere(shape).is_none()).partition(is_mesh);
+        Self { packs, listed, meshes, primitives, hierarchy: None }
     }
 
     /// All shapes, by their numbers.
@@ -103,8 +104,8 @@ impl Aggregate {
 
     /// The round spheres as seen from a point, if that may save work.
     pub fn view_cones(&self, point: DVec3) -> Option<ViewCones> {
-        let [balls] = self.balls.as_slice() else { return None };
-        Some(ViewCones::new(balls, point))
+        let [pack] = self.packs.as_slice() else { return None };
+        Some(ViewCones::new(pack, point))
     }
 
     /// The nearest hit of what is neither a mesh nor under the hierarchy; `cones` are those from the ray's origin.
@@ -113,8 +114,8 @@ impl Aggregate {
     fn nearest_simple(&self, ray: &Ray, cones: Option<&ViewCones>) -> Hit {
         let (mut nearest, mut id) = (f64::INFINITY, SurfaceId { shape: NONE, part: 0 });
         if cones.is_none_or(|cones| cones.may_meet(ray.direction, 0.0)) {
-            for balls in &self.balls {
-                balls.hits(ray, |shape, t| {
+            for pack in &self.packs {
+                pack.hits(ray, |shape, t| {
                     if t < nearest {
                         nearest = t;
                         id = SurfaceId { shape, part: 0 };
@@ -171,7 +172,7 @@ impl Aggregate {
     fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64, cones: Option<&ViewCones>) -> bool {
         let in_the_way = |shape: u32, t: f64| t < limit && self.counts::<SHADOWING>(shape);
         let may_meet = cones.is_none_or(|cones| cones.may_meet(-ray.direction, limit));
-        if may_meet && self.balls.iter().any(|balls| balls.hits(ray, in_the_way)) {
+        if may_meet && self.packs.iter().any(|pack| pack.hits(ray, in_the_way)) {
             return true;
         }
         let stops = |shape: u32| self.primitives[shape as usize].intersect_mostly_flat(ray, shape, limit).is_some();

@@ -83,10 +83,10 @@ impl Plan {
         let reflection = traces && (any(Material::reflects_specularly) || path && (shades || any(Material::focuses)));
         let strategy = scene.integrator.strategy;
         let samples_lights = path && traces && shades && strategy != Strategy::Bsdf;
-        let shines =
+        let bright =
             !matches!(scene.environment.kind, EnvironmentKind::Constant(Vec3::ZERO)) && scene.environment.scale > 0.0;
-        let environment_sampling = samples_lights && shines;
-        let light_sampling = environment_sampling || samples_lights && any(Material::shines);
+        let environment_sampling = samples_lights && bright;
+        let light_sampling = environment_sampling || samples_lights && any(Material::is_emissive);
         let fast = scene.integrator.fast;
         let caustics = fast && light_sampling && scene.integrator.caustics == Caustics::Auto && any(Material::focuses);
         let branches = fast && path && traces && any(Material::is_smooth_glass);
@@ -124,7 +124,7 @@ impl Plan {
         let reason = match self.strategy {
             _ if no_depth => "depth 0",
             Strategy::Bsdf => "strategy bsdf",
-            _ => "no shining shape, no environment, or nothing but mirrors and smooth glass",
+            _ => "no emissive shape, no environment, or nothing but mirrors and smooth glass",
         };
         item(!self.light_sampling, &format!("{reason}: no rays sent to lights with an extent"));
         item(self.light_sampling && !self.environment_sampling, "black environment: no tables to sample it");

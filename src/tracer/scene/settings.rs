@@ -43,7 +43,7 @@ pub enum Strategy {
     Auto,
     /// Only where the material sends rays: good for large lights and sharp materials.
     Bsdf,
-    /// Only by rays to the light sources: good for small lights and dull materials.
+    /// Only by rays to the light sources: good for small lights and diffuse materials.
     Light,
     /// Both, weighted by how well each could have found the way (multiple importance sampling: Veach and Guibas,
     /// Optimally Combining Sampling Techniques for Monte Carlo Rendering, 1995).

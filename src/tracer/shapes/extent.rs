@@ -4,9 +4,9 @@ use super::flat::Outline;
 use super::primitive::{Geometry, Primitive};
 use crate::math::{Bounds, DVec3};
 
-/// A ball around a shape.
+/// A sphere around a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BoundingBall {
+pub struct BoundingSphere {
     pub centre: DVec3,
     pub radius: f64,
 }
@@ -23,12 +23,12 @@ impl Primitive {
         Some(object.transformed(&self.transform.to_world))
     }
 
-    /// A ball around the shape in the world: a round sphere itself, for others the one around their box; `None` for a plane.
-    pub fn bounding_ball(&self) -> Option<BoundingBall> {
-        if let Some((centre, radius)) = self.as_ball() {
-            return Some(BoundingBall { centre, radius });
+    /// A sphere around the shape in the world: a round sphere itself, for others the one around their box; `None` for a plane.
+    pub fn bounding_sphere(&self) -> Option<BoundingSphere> {
+        if let Some((centre, radius)) = self.as_sphere() {
+            return Some(BoundingSphere { centre, radius });
         }
         let bounds = self.bounds()?;
-        Some(BoundingBall { centre: (bounds.minimum + bounds.maximum) / 2.0, radius: bounds.extent().length() / 2.0 })
+        Some(BoundingSphere { centre: (bounds.minimum + bounds.maximum) / 2.0, radius: bounds.extent().length() / 2.0 })
     }
 }

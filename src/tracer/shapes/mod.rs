@@ -4,7 +4,6 @@
 //! in the world by a transform. Intersection is computed in `f64`, so that it stays exact to an ulp of `f32` over
 //! twelve decades of scale.
 
-mod balls;
 mod cuboid;
 mod extent;
 mod flat;
@@ -12,11 +11,12 @@ pub mod mesh;
 mod primitive;
 mod sampling;
 mod sphere;
+mod sphere_pack;
 mod view_cones;
 
-pub use balls::Balls;
-pub use extent::BoundingBall;
+pub use extent::BoundingSphere;
 pub use flat::Outline;
 pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};
 pub use sampling::{ShapeSample, ShapeSampler};
+pub use sphere_pack::SpherePack;
 pub use view_cones::ViewCones;

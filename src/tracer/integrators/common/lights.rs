@@ -1,4 +1,4 @@
-//! All light sources that have an extent, as one to choose from: the environment and shining shapes.
+//! All light sources that have an extent, as one to choose from: the environment and emissive shapes.
 
 use crate::envmap::EnvironmentSampler;
 use crate::error::Result;
@@ -10,8 +10,8 @@ use crate::shapes::{ShapeSampler, Surface};
 /// skies without a sun have 0.01 or less.
 const CONCENTRATED: f64 = 0.1;
 
-/// Up to this share a sky is even: under it, rays to its brightest parts cost more than they save (measured by `converge`).
-const EVEN: f64 = 0.02;
+/// Up to this share a sky is uniform: under it, rays to its brightest parts cost more than they save (measured by `converge`).
+const UNIFORM: f64 = 0.02;
 
 /// The light sources with extent.
 pub struct LightTables {
@@ -26,7 +26,7 @@ pub struct LightTables {
     of_shape: Vec<Option<u32>>,
 }
 
-/// A shape that shines.
+/// An emissive shape.
 struct ShapeLight {
     shape: u32,
     sampler: ShapeSampler,
@@ -57,8 +57,8 @@ impl LightTables {
         let mut environment = environment.filter(|sampler| sampler.power() > 0.0);
         let mut shapes = if plan.light_sampling { shape_lights(scene) } else { Vec::new() };
         let concentration = environment.as_ref().map_or(0.0, EnvironmentSampler::concentration);
-        let even = plan.strategy == Strategy::Auto && shapes.is_empty() && concentration < EVEN;
-        if even {
+        let uniform = plan.strategy == Strategy::Auto && shapes.is_empty() && concentration < UNIFORM;
+        if uniform {
             environment = None;
         }
         let environment_share = match (&environment, shapes.is_empty()) {
@@ -119,8 +119,8 @@ impl LightTables {
         };
         let hit = scene.shapes.intersect(ray).filter(|hit| hit.id == target)?;
         let surface = scene.shapes.surface(ray, &hit);
-        let shining = surface.normal.dot(ray.direction) < 0.0;
-        shining.then(|| (scene.materials[surface.material as usize].emission(), hit.t))
+        let front = surface.normal.dot(ray.direction) < 0.0;
+        front.then(|| (scene.materials[surface.material as usize].emission(), hit.t))
     }
 
     /// Mean luminance of the environment, over all directions.
@@ -143,7 +143,7 @@ impl LightTables {
         let share = format!("{:.1} % of its light from its brightest thousandth", 100.0 * self.concentration);
         let mut items = Vec::new();
         if plan.light_sampling && self.is_empty() {
-            items.push(format!("the environment is even ({share}): no rays sent to it"));
+            items.push(format!("the environment is uniform ({share}): no rays sent to it"));
         }
         if plan.caustics && !self.is_concentrated() {
             items.push(format!("no small bright light ({share}): no photon pass"));
@@ -157,7 +157,7 @@ impl LightTables {
         self.environment.as_ref().map_or(0.0, |sampler| sampler.density(direction) * self.environment_share)
     }
 
-    /// Density with which [`LightTables::sample`] finds the direction from a point to a place on a shining shape.
+    /// Density with which [`LightTables::sample`] finds the direction from a point to a place on an emissive shape.
     pub fn shape_density(&self, point: DVec3, direction: DVec3, surface: &Surface) -> f64 {
         let Some(index) = self.of_shape.get(surface.id.shape as usize).copied().flatten() else { return 0.0 };
         let light = &self.shapes[index as usize];

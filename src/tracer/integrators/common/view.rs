@@ -91,7 +91,7 @@ pub fn appearance(material: &Material, surface: &Surface, view: &View, direction
         Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
             Appearance::Own("nothing that this integrator follows: black", Vec3::ZERO)
         }
-        Material::Light { radiance } if view.side == Side::Front => Appearance::Own(SHINES, *radiance),
+        Material::Light { radiance } if view.side == Side::Front => Appearance::Own(EMITTED, *radiance),
         Material::Light { .. } => Appearance::Own("back of a light: black", Vec3::ZERO),
         Material::Lambert { colour } | Material::Coated { colour, .. } => reflecting(colour.at(place), None),
         Material::Phong { diffuse, specular, exponent } => {
@@ -130,4 +130,4 @@ pub fn normal_colour(normal: DVec3) -> Vec3 {
 
 /// What an observer is told of the colours that surfaces show by themselves.
 pub const NORMAL_COLOUR: &str = "shading normal as a colour, (n + 1) / 2";
-pub const SHINES: &str = "shines by itself";
+pub const EMITTED: &str = "emitted by the surface";

@@ -7,6 +7,9 @@
 //!               \        .  ' '  /
 //!        --------x- ' - - - - - y---     a photon that hit the surface at y knows the direction back to the light
 //! ```
+//!
+//! Lesson 11 measures what photons save. Both branches of glass, under a sky without small lights: a quarter less time to the
+//! same error for a glass ball, a mirror ball and a grey one (`skycube converge SCENE` with and without `--textbook`).
 
 use super::caustics::{CausticGuide, Directions, FocusedDirection, Signature, SpecularEvent, branch};
 use crate::integrators::common::lights::{LightTables, power_heuristic, weight_of_chance};
@@ -211,7 +214,7 @@ impl<'a> Walk<'a> {
         // The light at the end, if nothing else is in the way.
         match self.arrive(&mut focused) {
             None => self.add_environment(&focused),
-            Some((surface, view)) if self.book.task.scene.materials[surface.material as usize].shines() => {
+            Some((surface, view)) if self.book.task.scene.materials[surface.material as usize].is_emissive() => {
                 self.add_own_light(&focused, &surface, &view);
             }
             Some(_) => {}

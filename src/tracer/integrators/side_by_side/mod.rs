@@ -7,6 +7,10 @@
 //!
 //! The steps of one ray wait for each other: the point for the distance, the light for the point. Those of several rays do
 //! not, and the processor works on several of them at once.
+//!
+//! Measured by `skycube render SCENE --threads 1` with and without `--textbook`: 0.49 against 0.89 s of CPU for three spheres
+//! (16 samples, 640 x 480), 0.65 against 0.98 s for `lessons/04-whitted/glass-depth-10.toml` (32 samples), 1.2 against 1.5 s
+//! for `lessons/06-environment-map/environment-with.toml` (32 samples).
 
 mod queue;
 mod stream;

@@ -19,7 +19,7 @@ use crate::integrators::common::media::{Media, medium_before};
 use crate::integrators::common::observer::{Event, LightOutcome, Observer, RayKind};
 use crate::integrators::common::task::Task;
 use crate::integrators::common::vertex::Vertex;
-use crate::integrators::common::view::{SHINES, View, debug_colour};
+use crate::integrators::common::view::{EMITTED, View, debug_colour};
 use crate::materials::{Material, MediumStack, ScatteringSample};
 use crate::math::{Ray, Side, Vec3};
 use crate::scene::Strategy;
@@ -129,7 +129,7 @@ impl<O: Observer> PathTracer<'_, O> {
         weight: impl FnOnce() -> f32,
     ) -> Option<()> {
         let (what, colour) = match material {
-            Material::Light { radiance } if view.side == Side::Front => (SHINES, *radiance * weight()),
+            Material::Light { radiance } if view.side == Side::Front => (EMITTED, *radiance * weight()),
             _ => debug_colour(material, surface)?,
         };
         self.add(what, carried * colour);

@@ -59,7 +59,7 @@ impl Primitive {
     fn intersect_simple(&self, ray: &Ray, shape: u32, limit: f64) -> Option<(f64, u32)> {
         match &self.kernel {
             // A sphere does not change when it is turned: only its place and size count.
-            Kernel::Ball { centre, inverse_radius, .. } => {
+            Kernel::RoundSphere { centre, inverse_radius, .. } => {
                 let (origin, direction) = ((ray.origin - *centre) * *inverse_radius, ray.direction * *inverse_radius);
                 let side = ray.leaves(shape).map(|departure| departure.side);
                 Some((sphere::intersect(origin, direction, limit, side, ray.origin_error())?, 0))
@@ -109,7 +109,7 @@ impl Primitive {
                 Some((sphere::intersect(origin, direction, limit, side, ray.origin_error())?, 0))
             }
             Kernel::Cuboid => cuboid::intersect(origin, direction, limit, leaving, ray.origin_error()),
-            Kernel::Ball { .. } | Kernel::Flat { .. } | Kernel::Mesh(_) => None,
+            Kernel::RoundSphere { .. } | Kernel::Flat { .. } | Kernel::Mesh(_) => None,
         }
     }
 

@@ -39,7 +39,7 @@ pub enum Geometry {
 #[derive(Debug, Clone)]
 enum Kernel {
     /// A sphere that the transform leaves round.
-    Ball {
+    RoundSphere {
         centre: DVec3,
         radius: f64,
         inverse_radius: f64,
@@ -99,7 +99,7 @@ impl Primitive {
                 height: Height::of(&transform.to_object),
                 normal: transform.normal_to_world(DVec3::Z),
             },
-            Geometry::Sphere => transform.uniform_scale().map_or(Kernel::Ellipsoid, |radius| Kernel::Ball {
+            Geometry::Sphere => transform.uniform_scale().map_or(Kernel::Ellipsoid, |radius| Kernel::RoundSphere {
                 centre: transform.to_world.translation,
                 radius,
                 inverse_radius: 1.0 / radius,
@@ -112,7 +112,7 @@ impl Primitive {
 
     /// True for flat shapes and round spheres, which cost a ray less than a box around them would.
     pub fn is_simple(&self) -> bool {
-        matches!(self.kernel, Kernel::Flat { .. } | Kernel::Ball { .. })
+        matches!(self.kernel, Kernel::Flat { .. } | Kernel::RoundSphere { .. })
     }
 
     /// True for meshes of triangles.
@@ -121,9 +121,9 @@ impl Primitive {
     }
 
     /// Centre and radius in the world, if this is a sphere that its transform leaves round.
-    pub fn as_ball(&self) -> Option<(DVec3, f64)> {
+    pub fn as_sphere(&self) -> Option<(DVec3, f64)> {
         match self.kernel {
-            Kernel::Ball { centre, radius, .. } => Some((centre, radius)),
+            Kernel::RoundSphere { centre, radius, .. } => Some((centre, radius)),
             _ => None,
         }
     }

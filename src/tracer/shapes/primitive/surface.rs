@@ -18,7 +18,7 @@ impl Primitive {
     #[inline(always)]
     pub fn with_surface<R>(&self, ray: &Ray, hit: &Hit, then: impl FnOnce(Surface) -> R) -> R {
         match &self.kernel {
-            Kernel::Ball { centre, radius, .. } => {
+            Kernel::RoundSphere { centre, radius, .. } => {
                 let normal = (ray.at(hit.t) - *centre).normalize();
                 let place = || sphere::texture_coordinates(self.turned_to_object(normal));
                 then(self.surface_at(*centre + normal * *radius, normal, place, hit))

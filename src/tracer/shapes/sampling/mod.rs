@@ -26,7 +26,7 @@ use parallelogram::ParallelogramSampler;
 /// Draws points of a shape that gives light. Built once for each such shape; holds all that is derived from it.
 ///
 /// Geometry alone counts here: a point is drawn on whichever side of the surface it is seen from. Whether that side
-/// shines, the caller knows from `normal`; whether something is in between, from a shadow ray.
+/// emits, the caller knows from `normal`; whether something is in between, from a shadow ray.
 #[derive(Debug)]
 pub struct ShapeSampler {
     form: Form,

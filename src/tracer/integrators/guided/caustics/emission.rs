@@ -14,7 +14,7 @@ use crate::math::{Bounds, DVec3, Frame, Ray};
 use crate::sampling::PixelSampler;
 use crate::sampling::warp::concentric_disc;
 use crate::scene::Scene;
-use crate::shapes::{BoundingBall, Primitive};
+use crate::shapes::{BoundingSphere, Primitive};
 
 /// How much brighter than the mean of the environment its light must be to be worth sending out.
 const BRIGHT: f64 = 16.0;
@@ -62,7 +62,7 @@ impl Casters {
             if !primitive.material.numbers().iter().any(|&number| specular(number)) {
                 continue;
             }
-            let Some(BoundingBall { centre, radius }) = primitive.bounding_ball() else { continue };
+            let Some(BoundingSphere { centre, radius }) = primitive.bounding_sphere() else { continue };
             cumulative += radius * radius;
             casters.push(Caster { centre, radius, cumulative });
         }

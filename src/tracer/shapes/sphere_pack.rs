@@ -16,7 +16,7 @@ pub(super) const LANES: usize = 4;
 
 /// Up to four spheres.
 #[derive(Debug, Clone)]
-pub struct Balls {
+pub struct SpherePack {
     pub(super) centre: [[f64; LANES]; 3],
     /// -1 for an empty lane.
     pub(super) squared_radius: [f64; LANES],
@@ -35,21 +35,21 @@ struct Lines {
     half_chord: [f64; LANES],
 }
 
-impl Balls {
+impl SpherePack {
     /// Most spheres of a pack.
     pub const MOST: usize = LANES;
 
     /// Packs up to [`MOST`](Self::MOST) spheres, given by number, centre and radius.
     pub fn new(spheres: &[(u32, DVec3, f64)]) -> Self {
-        let mut balls = Self { centre: [[0.0; LANES]; 3], squared_radius: [-1.0; LANES], shapes: [u32::MAX; LANES] };
+        let mut pack = Self { centre: [[0.0; LANES]; 3], squared_radius: [-1.0; LANES], shapes: [u32::MAX; LANES] };
         for (lane, &(shape, centre, radius)) in spheres.iter().enumerate() {
             for axis in 0..3 {
-                balls.centre[axis][lane] = centre[axis];
+                pack.centre[axis][lane] = centre[axis];
             }
-            balls.squared_radius[lane] = radius * radius;
-            balls.shapes[lane] = shape;
+            pack.squared_radius[lane] = radius * radius;
+            pack.shapes[lane] = shape;
         }
-        balls
+        pack
     }
 
     /// Calls `found` with number and distance of the spheres that a ray of unit direction hits, until it says enough;
@@ -173,8 +173,8 @@ mod tests {
 
     fn distances(ray: &Ray) -> Vec<(u32, f64)> {
         let mut found = Vec::new();
-        for balls in spheres().chunks(Balls::MOST).map(Balls::new) {
-            balls.hits(ray, |shape, distance| {
+        for pack in spheres().chunks(SpherePack::MOST).map(SpherePack::new) {
+            pack.hits(ray, |shape, distance| {
                 found.push((shape, distance));
                 false
             });
@@ -216,7 +216,7 @@ mod tests {
     fn enough_ends_the_search() {
         let ray = Ray::new(DVec3::new(-9.0, 0.0, 0.5), DVec3::X);
         let mut count = 0;
-        let stopped = Balls::new(&spheres()[..LANES]).hits(&ray, |_, _| {
+        let stopped = SpherePack::new(&spheres()[..LANES]).hits(&ray, |_, _| {
             count += 1;
             true
         });
