@@ -13,7 +13,9 @@ pub use skycube_tracer::{
     sampling, scene, shapes,
 };
 
-pub use skycube_analysis::{PixelTrace, compare, converge, grade, metrics, stress, validate};
+#[cfg(feature = "stress")]
+pub use skycube_analysis::stress;
+pub use skycube_analysis::{PixelTrace, Random, compare, converge, digits, grade, limits, metrics, validate};
 
 pub mod lessons;
 

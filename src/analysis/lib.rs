@@ -6,10 +6,15 @@ use skycube_tracer::{
 
 pub mod compare;
 pub mod converge;
+pub mod digits;
 pub mod grade;
+pub mod limits;
 pub mod metrics;
 mod pixel_trace;
+mod random;
+#[cfg(feature = "stress")]
 pub mod stress;
 pub mod validate;
 
 pub use pixel_trace::PixelTrace;
+pub use random::Random;

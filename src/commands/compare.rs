@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Outcome;
 use super::options::{check_drawing_name, refuse_to_overwrite_sources};
+use super::terminal::{Outcome, print};
 use crate::compare::{Comparison, Verdict};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, read};
@@ -49,11 +49,11 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
         draw_comparison(&comparison).write(output)?;
     }
     if arguments.json {
-        super::print(format_args!("{}\n", report.to_json()));
+        print(format_args!("{}\n", report.to_json()));
     } else {
-        super::print(&report);
+        print(&report);
         if let Some(output) = &arguments.output {
-            super::print(format_args!("wrote {}\n", output.display()));
+            print(format_args!("wrote {}\n", output.display()));
         }
     }
     Ok(if report.verdict() == Verdict::Differs { Outcome::Faults } else { Outcome::Clean })

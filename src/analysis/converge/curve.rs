@@ -3,13 +3,14 @@
 use std::time::{Duration, Instant};
 
 use super::bias::Bias;
-use super::errors::Errors;
+use super::configuration::Configuration;
+use super::errors::{Errors, mean_radiance};
 use super::fit::slope;
+use super::protocol::Protocol;
 use super::reference::Reference;
 use super::schedule::Schedule;
 use super::variation::Variant;
 use super::watch::{Watch, Work};
-use super::{Configuration, Protocol};
 use crate::error::Result;
 use crate::integrators::RayCounts;
 use crate::picture::Raster;
@@ -166,10 +167,4 @@ fn step(samples: u32, runs: &[Run], reference: &Reference) -> Step {
         bias: Bias::estimate(&pictures, &reference.halves),
         mean_radiance: pictures.iter().map(mean_radiance).sum::<f64>() / pictures.len() as f64,
     }
-}
-
-/// Mean over all pixels and channels.
-pub(super) fn mean_radiance(picture: &Raster) -> f64 {
-    let sum: f64 = picture.pixels().iter().map(|colour| colour.as_dvec3().element_sum()).sum();
-    sum / (3 * picture.pixels().len()) as f64
 }

@@ -3,7 +3,6 @@
 use super::explanation::{Evidence, FaceGrade, wrong};
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
 use crate::envmap::{Face, Orientation, Preset};
-use crate::validate::convention;
 
 /// Another way to explain the same pictures.
 #[derive(Debug, Clone, PartialEq)]
@@ -90,10 +89,11 @@ impl Evidence<'_> {
             return Vec::new();
         }
         let shown = |preset: &Preset| {
-            let table = convention::table(self.lookup, *preset);
+            let wanted = preset.lookup();
             grades.iter().all(|grade| {
-                let image = table.images[grade.face.index()];
-                grade.possible.contains(&Placement { image, orientation: table.orientation(grade.face) })
+                let row = wanted.row_counted_from(grade.face, self.lookup.v_origin());
+                let orientation = Orientation::between(self.lookup.row(grade.face), row);
+                grade.possible.contains(&Placement { image: row.image, orientation })
             })
         };
         Preset::ALL.into_iter().filter(shown).collect()

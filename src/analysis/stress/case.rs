@@ -1,7 +1,7 @@
 //! A case: one thing swept over decades, and how far it stays accurate.
 
 use super::effort::Effort;
-use super::limits::Range;
+use crate::limits::Range;
 
 /// What is to be swept.
 #[derive(Debug, Clone, Copy)]

@@ -122,6 +122,13 @@ impl Lookup {
         self.faces[face.index()]
     }
 
+    /// The row of a face as a table would have it whose v = 0 lies at `v_origin`: counted from the other end, v grows the
+    /// other way.
+    pub fn row_counted_from(&self, face: Face, v_origin: VOrigin) -> FaceLookup {
+        let row = self.row(face);
+        if v_origin == self.v_origin { row } else { FaceLookup { v: -row.v, ..row } }
+    }
+
     /// All rows in the order of [`Face::ALL`].
     pub fn rows(&self) -> &[FaceLookup; 6] {
         &self.faces

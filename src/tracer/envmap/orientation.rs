@@ -86,6 +86,15 @@ impl Orientation {
         FaceLookup { image: row.image, u: turned(first, self.inverts_u), v: turned(second, self.inverts_v) }
     }
 
+    /// The orientation that makes the axes of one row into those of another of the same face.
+    pub fn between(from: FaceLookup, to: FaceLookup) -> Self {
+        let leads = |orientation: &Self| {
+            let row = orientation.of_row(from);
+            (row.u, row.v) == (to.u, to.v)
+        };
+        Self::ALL.into_iter().find(leads).expect("the rows span the same face")
+    }
+
     /// The operation on the file with the same effect: the new picture holds at (u, v) what the old one held at
     /// (u', v').
     pub fn image_operation(self, v_origin: VOrigin) -> ImageOperation {
@@ -193,5 +202,8 @@ mod tests {
         let row = FaceLookup { image: super::super::Face::PosX, u: SignedAxis::NEG_Z, v: SignedAxis::NEG_Y };
         let laid = Orientation { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
         assert_eq!((laid.u, laid.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
+        for orientation in Orientation::ALL {
+            assert_eq!(Orientation::between(row, orientation.of_row(row)), orientation);
+        }
     }
 }
