@@ -9,8 +9,8 @@
 //! - `src`: what a user meets.
 
 pub use skycube_tracer::{
-    bvh, camera, colour, envmap, error, integrators, lights, materials, math, memory, parallel, picture, render,
-    sampling, scene, shapes,
+    bvh, camera, choice, colour, envmap, error, integrators, lights, materials, math, memory, parallel, picture,
+    render, sampling, scene, shapes,
 };
 
 #[cfg(feature = "stress")]

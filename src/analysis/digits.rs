@@ -12,3 +12,9 @@ pub fn rounded(value: f64, digits: i32) -> f64 {
 pub fn digits<const DIGITS: i32, S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     rounded(*value, DIGITS).serialize(serializer)
 }
+
+/// The same with so many significant digits.
+#[cfg(feature = "stress")]
+pub fn significant<const DIGITS: usize, S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    format!("{value:.0$e}", DIGITS - 1).parse().unwrap_or(*value).serialize(serializer)
+}

@@ -13,7 +13,7 @@ use crate::report::{CompareReport, Metric, draw_comparison};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 within the threshold, 1 not (or flipped, turned, red and blue swapped, not \
-                        finite, plainly other in one place, or altogether), 2 could not run.")]
+                        finite, clearly different in one place, or altogether), 2 could not run.")]
 pub struct CompareArguments {
     /// Your picture
     #[arg(value_name = "MINE")]

@@ -36,7 +36,7 @@ struct Corrected {
     what: String,
 }
 
-/// Checks the map and mends it. Ends with faults if a face remains that does not belong.
+/// Checks the map and repairs it. Ends with faults if a face remains that does not belong.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
         return Err(Error::new("it is not said where the fix shall go")
@@ -53,12 +53,12 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
         }
     }
     for note in check.notes.iter().take(check.foreign.len()) {
-        remark(format_args!("not mended: {note}\n"));
+        remark(format_args!("not repaired: {note}\n"));
     }
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
     if check.verdict == Verdict::Broken && check.foreign.is_empty() {
         for fix in undecided {
-            remark(format_args!("left as it is: the pixels do not tell how {} must be laid\n", fix.face.name()));
+            remark(format_args!("left as it is: the pixels do not tell how {} must be placed\n", fix.face.name()));
         }
     }
     if check.verdict == Verdict::Undecidable {

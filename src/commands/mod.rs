@@ -29,7 +29,7 @@ use crate::error::Result;
 pub use terminal::Outcome;
 use terminal::remark;
 
-/// A small, complete ray tracer for teaching, and a validator that says how to mend a skybox.
+/// A small, complete ray tracer for teaching, and a validator that says how to repair a skybox.
 #[derive(Debug, Parser)]
 #[command(name = "skycube", version, about, long_about = None, arg_required_else_help = true)]
 #[command(after_help = "Exit codes: 0 clean, 1 faults found, 2 could not run, 130 interrupted.")]

@@ -43,7 +43,7 @@ impl<'a> CheckReport<'a> {
             Some(convention) => vec![convention.to_string()],
             None => self.changed().map(|face| self.change(face)).collect(),
         };
-        // The first notes are those on faces that do not belong, which no change mends.
+        // The first notes are those on faces that do not belong, which no change repairs.
         what.extend(notes.iter().take(foreign.len()).map(ToString::to_string));
         let separator = if what.is_empty() { "" } else { ": " };
         format!("{}: {}{separator}{}", self.map, verdict.name(), what.join("; "))
@@ -135,7 +135,7 @@ struct JsonFaceFix {
     image: &'static str,
     u: &'static str,
     v: &'static str,
-    image_operation: &'static str,
+    image_operation: String,
     decided: bool,
 }
 
@@ -282,7 +282,7 @@ impl CheckReport<'_> {
             file_change.push(format!("read {file} as {}", check.lookup.row(fix.face).image.name()));
         }
         if fix.orientation != Orientation::IDENTITY {
-            file_change.push(fix.orientation.image_operation(check.lookup.v_origin()).name().to_owned());
+            file_change.push(fix.orientation.image_operation(check.lookup.v_origin()).name());
         }
         let doubt = if fix.decided { "" } else { " (undecided)" };
         writeln!(formatter, "    or the file: {}{doubt}", file_change.join(", "))
@@ -290,13 +290,13 @@ impl CheckReport<'_> {
 }
 
 /// Why the fix of a map changes nothing, as a sentence without its full stop: the map may fit, be undecidable, or have
-/// faces that do not belong, which no lookup mends.
+/// faces that do not belong, which no lookup repairs.
 pub fn nothing_to_fix(check: &Check) -> String {
-    let strangers: Vec<&str> = check.foreign.iter().map(|foreign| foreign.face.name()).collect();
+    let outliers: Vec<&str> = check.foreign.iter().map(|foreign| foreign.face.name()).collect();
     match check.verdict {
         Verdict::Fits => "the map fits under this lookup: nothing to fix".to_owned(),
-        _ if !strangers.is_empty() => {
-            format!("broken, and no lookup mends it: {}: the picture does not belong here", strangers.join(", "))
+        _ if !outliers.is_empty() => {
+            format!("broken, and no lookup repairs it: {}: the picture does not belong here", outliers.join(", "))
         }
         Verdict::Undecidable => {
             "undecidable: the pixels do not tell whether these faces fit; nothing is changed".to_owned()

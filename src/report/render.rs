@@ -7,6 +7,7 @@ use std::time::Duration;
 use serde::Serialize;
 
 use super::grouped::grouped;
+use crate::choice::name_of;
 use crate::colour::Encoding;
 use crate::envmap::Face;
 use crate::integrators::RayCounts;
@@ -24,7 +25,7 @@ pub struct RenderReport {
     pub samples: u32,
     /// True if Ctrl-C ended it before all samples were taken.
     pub stopped: bool,
-    pub integrator: &'static str,
+    pub integrator: String,
     pub seconds: Seconds,
     pub rays: RayCounts,
     /// Rays traced a second while rendering.
@@ -63,7 +64,7 @@ impl RenderReport {
             height,
             samples: rendering.samples,
             stopped: rendering.stopped,
-            integrator: scene.integrator.kind.name(),
+            integrator: name_of(scene.integrator.kind),
             seconds,
             rays,
             rays_per_second: rays.traced() as f64 / seconds.rendering.max(1e-9),

@@ -11,7 +11,7 @@ use crate::envmap::ImageOperation;
 #[derive(Serialize)]
 struct Placed {
     #[serde(rename = "operation")]
-    name: &'static str,
+    name: String,
     #[serde(skip)]
     operation: ImageOperation,
     #[serde(flatten)]

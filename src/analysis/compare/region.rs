@@ -56,7 +56,7 @@ impl Kind for OnePlace {
             return format!("It differs in one place: {place} hold {percent:.0} % of the difference.");
         }
         format!(
-            "It is plainly other in {place}: FLIP {flip:.2} there, {flip_outside:.3} elsewhere ({percent:.0} % of the \
+            "It is clearly different in {place}: FLIP {flip:.2} there, {flip_outside:.3} elsewhere ({percent:.0} % of the \
              difference)."
         )
     }

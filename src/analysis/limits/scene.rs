@@ -10,7 +10,7 @@ use crate::shapes::{Geometry, Outline, Primitive};
 pub fn outside_limits(scene: &Scene) -> Vec<String> {
     let mut found = Vec::new();
     for (number, shape) in scene.shapes.primitives().iter().enumerate() {
-        let what = format!("shape {} ({})", number + 1, kind(shape));
+        let what = format!("shape {} ({})", number + 1, shape.geometry.name());
         found.extend(shape_figures(shape).into_iter().filter_map(|(limit, value)| outside(&what, &limit, value)));
         let lit = shape.material.numbers().iter().any(|&material| scene.materials[material as usize].shines());
         if lit && let Some(bounds) = shape.bounds() {
@@ -28,17 +28,6 @@ pub fn outside_limits(scene: &Scene) -> Vec<String> {
     let camera = scene.camera.position().abs().max_element();
     found.extend(outside("the camera", &COORDINATE, camera));
     found
-}
-
-fn kind(shape: &Primitive) -> &'static str {
-    match shape.geometry {
-        Geometry::Sphere => "sphere",
-        Geometry::Flat(Outline::Plane) => "plane",
-        Geometry::Flat(Outline::Disc) => "disc",
-        Geometry::Flat(Outline::Rectangle) => "rectangle",
-        Geometry::Cuboid => "box",
-        Geometry::Mesh(_) => "mesh",
-    }
 }
 
 /// The figures of a shape, each with its limit.

@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::super::grouped::grouped;
@@ -28,47 +27,6 @@ pub struct ConvergedScene {
     pub convergence: Convergence,
 }
 
-/// A step for machines; `None` where a number is not finite.
-#[derive(Serialize)]
-struct StepRecord {
-    samples: u32,
-    seconds: f64,
-    rays: u64,
-    rmse: f64,
-    relative_mse: f64,
-    trimmed_relative_mse: f64,
-    flip: f64,
-    bias: f64,
-    bias_limit: f64,
-    bias_is_significant: bool,
-    bias_squared: f64,
-    bias_squared_error: f64,
-    mean_radiance: f64,
-    efficiency: Option<f64>,
-}
-
-impl StepRecord {
-    fn of(step: &Step) -> Self {
-        let efficiency = step.efficiency();
-        Self {
-            samples: step.samples,
-            seconds: step.seconds,
-            rays: step.rays,
-            rmse: step.errors.rmse,
-            relative_mse: step.errors.relative_mse,
-            trimmed_relative_mse: step.errors.trimmed_relative_mse,
-            flip: step.errors.flip,
-            bias: step.bias.root(),
-            bias_limit: step.bias.limit(),
-            bias_is_significant: step.bias.is_significant(),
-            bias_squared: step.bias.squared,
-            bias_squared_error: step.bias.squared_error,
-            mean_radiance: step.mean_radiance,
-            efficiency: efficiency.is_finite().then_some(efficiency),
-        }
-    }
-}
-
 impl ConvergeReport {
     /// The report for machines.
     pub fn to_json(&self) -> String {
@@ -80,16 +38,22 @@ impl ConvergeReport {
 
 impl ConvergedScene {
     fn to_json(&self) -> Value {
+        let step = |step: &Step| {
+            let mut value = json!(step);
+            value["bias"] = json!(step.bias.root());
+            value["bias_limit"] = json!(step.bias.limit());
+            value["bias_is_significant"] = json!(step.bias.is_significant());
+            // Null where it is infinite.
+            value["efficiency"] = json!(step.efficiency());
+            value
+        };
         let curve = |curve: &Curve| {
-            json!({
-                "label": curve.label,
-                "configuration": curve.configuration,
-                "reference": curve.reference,
-                "slope_against_samples": curve.fit.against_samples,
-                "slope_against_seconds": curve.fit.against_seconds,
-                "steps_fitted": curve.fit.steps,
-                "steps": curve.steps.iter().map(StepRecord::of).collect::<Vec<_>>(),
-            })
+            let mut value = json!(curve.fit);
+            value["label"] = json!(curve.label);
+            value["configuration"] = json!(curve.configuration);
+            value["reference"] = json!(curve.reference);
+            value["steps"] = curve.steps.iter().map(step).collect();
+            value
         };
         json!({
             "scene": self.name,

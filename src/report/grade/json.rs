@@ -25,7 +25,7 @@ pub(super) struct Json<'a> {
 #[derive(Serialize)]
 struct JsonPreset {
     /// One, unless the pixels cannot tell several apart.
-    names: Vec<&'static str>,
+    names: Vec<String>,
     /// What the camera's fault is then: `none`, `mirrored`, ...
     camera: &'static str,
 }
@@ -36,7 +36,7 @@ struct JsonCamera {
     /// `none`, `mirrored`, `upside_down`, `turned` or `axes`.
     fault: &'static str,
     /// What was done to all six pictures: `none`, `flip left-right`, ...
-    image_operation: &'static str,
+    image_operation: String,
     /// Degrees.
     field_of_view: f64,
     /// What it takes for +x, +y and +z.
@@ -57,7 +57,7 @@ struct JsonFace {
     /// How many placements the pixels leave.
     possible: usize,
     /// What the shot looks like if it fits no orientation.
-    misfit: Option<&'static str>,
+    misfit: Option<Misfit>,
     /// What to compute from the code's own u and v, null if nothing is to be repaired.
     repair: Option<JsonRepair>,
 }
@@ -108,7 +108,7 @@ fn face(grade: &FaceGrade) -> JsonFace {
         decided: grade.is_decided(),
         wrong: grade.is_wrong(),
         possible: grade.possible.len(),
-        misfit: grade.misfit.map(misfit_name),
+        misfit: grade.misfit,
         repair: repair.map(|orientation| {
             let (u, v) = orientation.formulas();
             JsonRepair { image: grade.expected, u, v }
@@ -124,17 +124,6 @@ fn fault_name(camera: CameraFault) -> &'static str {
         (false, false, true) => "upside_down",
         (false, true, false) | (true, false, false) | (true, true, true) => "mirrored",
         _ => "turned",
-    }
-}
-
-fn misfit_name(misfit: Misfit) -> &'static str {
-    match misfit {
-        Misfit::Black => "black",
-        Misfit::PartlyBlack => "partly_black",
-        Misfit::OneColour => "one_colour",
-        Misfit::Smeared => "smeared",
-        Misfit::Repeated => "repeated",
-        Misfit::Unlike => "unlike",
     }
 }
 

@@ -38,22 +38,24 @@ fn coordinates(orientation: Orientation) -> String {
 pub(super) fn describe(camera: CameraFault) -> String {
     if camera.exchanges_axes() {
         let [x, y, z] = camera.axes;
-        let laid = match camera.orientation {
+        let turned = match camera.orientation {
             Orientation::IDENTITY => String::new(),
-            orientation => format!(", and every picture is laid otherwise ({})", screen_operation(orientation).name()),
+            orientation => {
+                format!(", and every picture has another orientation ({})", screen_operation(orientation).name())
+            }
         };
         return format!(
-            "the axes are mixed up: your camera looks along {x} for +x, {y} for +y, {z} for +z{laid}; or the shots are \
+            "the axes are mixed up: your camera looks along {x} for +x, {y} for +y, {z} for +z{turned}; or the shots are \
              named after other axes"
         );
     }
-    format!("all six are {}", laid_by(screen_operation(camera.orientation)))
+    format!("all six are {}", placed_by(screen_operation(camera.orientation)))
 }
 
-/// The wrong formulas that lay every picture so.
-fn laid_by(operation: ImageOperation) -> &'static str {
+/// The wrong formulas that give every picture this orientation.
+fn placed_by(operation: ImageOperation) -> &'static str {
     match operation {
-        ImageOperation::None => "laid as they should be",
+        ImageOperation::None => "placed as they should be",
         ImageOperation::FlipLeftRight => {
             "mirrored left-right: x of the pixel has the wrong sign (columns are counted from the right), or right alone \
              has it (negated after top = right x forward was computed, or right = up x forward where top is not computed \
@@ -215,12 +217,12 @@ mod tests {
     /// What a shot shows whose camera has these vectors, where `right` and `top` are those of a right one.
     fn operation([right, top]: [DVec3; 2], [wrong_right, wrong_top]: [DVec3; 2]) -> ImageOperation {
         let component = |axis: DVec3, s: f64, t: f64| (wrong_right * s + wrong_top * t).dot(axis);
-        let laid = |orientation: &&Orientation| {
+        let leads = |orientation: &&Orientation| {
             let (u, v) = orientation.apply(0.7, 0.8);
             let place = |axis| (component(axis, 0.4, 0.6) + 1.0) / 2.0;
             (f64::from(u) - place(right)).abs() + (f64::from(v) - place(top)).abs() < 1e-6
         };
-        screen_operation(*Orientation::ALL.iter().find(laid).expect("the vectors are exchanged or turned round"))
+        screen_operation(*Orientation::ALL.iter().find(leads).expect("the vectors are exchanged or turned round"))
     }
 
     #[test]
@@ -241,7 +243,7 @@ mod tests {
             ([-top, right], "right and top, are exchanged, and one of the two has the wrong sign"),
             ([top, -right], "right and top, are exchanged, and one of the two has the wrong sign"),
         ] {
-            let sentence = laid_by(operation([right, top], wrong));
+            let sentence = placed_by(operation([right, top], wrong));
             assert!(sentence.contains(words), "{words}: {sentence}");
         }
     }

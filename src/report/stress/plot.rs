@@ -8,6 +8,8 @@
 //!  1e-10 |_________________       Smaller errors and 0 lie on the floor.
 //! ```
 
+use clap::ValueEnum;
+
 use super::super::chart::{Axis, Chart, Line, Panel, Style, draw_panels};
 use crate::stress::{Case, Group};
 
@@ -17,7 +19,7 @@ const RANGE: [f64; 2] = [1e-10, 1e6];
 /// The chart of cases.
 pub fn draw_stress(cases: &[Case]) -> Chart {
     let members = |group: Group| cases.iter().filter(|case| case.subject.group == group).collect::<Vec<_>>();
-    let groups = Group::ALL.into_iter().map(|group| (group, members(group)));
+    let groups = Group::value_variants().iter().map(|&group| (group, members(group)));
     let panels: Vec<Panel> =
         groups.filter(|(_, members)| !members.is_empty()).map(|(group, members)| panel(group, &members)).collect();
     draw_panels("How far errors stay within their bounds", &panels, false)
@@ -38,7 +40,7 @@ fn panel(group: Group, cases: &[&Case]) -> Panel {
     };
     let bound = Line { label: String::new(), style: Style::Bound, points: x.range.map(|end| (end, 1.0)).to_vec() };
     let lines = cases.iter().enumerate().map(line).chain([bound]).collect();
-    Panel { title: group.title().to_owned(), x, y, lines }
+    Panel { title: group.title(), x, y, lines }
 }
 
 /// The error over the bound; faults of a million, if none are allowed.

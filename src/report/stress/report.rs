@@ -14,10 +14,11 @@
 
 use std::fmt::{self, Write};
 
+use clap::ValueEnum;
 use serde_json::{Value, json};
 
 use crate::limits::Range;
-use crate::stress::{Case, Effort, Group, Measurement, Verdict};
+use crate::stress::{Case, Effort, Group, Verdict};
 
 /// Cases that were swept, to be printed.
 pub struct StressReport<'a> {
@@ -67,7 +68,7 @@ impl fmt::Display for StressReport<'_> {
         let width = |column: usize| rows.iter().chain([&headings]).map(|row| row[column].chars().count()).max();
         let widths: [usize; 7] = std::array::from_fn(|column| width(column).unwrap_or(0));
         formatter.write_str(&line("", &headings, &widths))?;
-        for group in Group::ALL {
+        for &group in Group::value_variants() {
             let mut members = self.cases.iter().zip(&rows).filter(|(case, _)| case.subject.group == group).peekable();
             if members.peek().is_some() {
                 writeln!(formatter, "{}", group.title())?;
@@ -128,29 +129,12 @@ fn summary(cases: &[Case]) -> String {
 }
 
 fn case_json(case: &Case) -> Value {
-    let subject = &case.subject;
-    json!({
-        "group": subject.group,
-        "name": subject.name,
-        "swept": subject.swept,
-        "error": subject.error,
-        "unit": subject.unit,
-        "bound": subject.bound,
-        "promised": subject.promised,
-        "range": case.range(),
-        "worst": step_json(case.worst()),
-        "verdict": case.verdict(),
-        "sweep": case.measurements.iter().map(step_json).collect::<Vec<_>>(),
-    })
-}
-
-fn step_json(step: &Measurement) -> Value {
-    json!({ "magnitude": step.magnitude, "error": rounded(step.error), "input": step.input })
-}
-
-/// To three digits; the others depend on the last bits of a computation.
-fn rounded(number: f64) -> f64 {
-    format!("{number:.2e}").parse().unwrap_or(number)
+    let mut value = json!(case.subject);
+    value["range"] = json!(case.range());
+    value["worst"] = json!(case.worst());
+    value["verdict"] = json!(case.verdict());
+    value["sweep"] = json!(case.measurements);
+    value
 }
 
 fn range(Range { least, most }: Range) -> String {

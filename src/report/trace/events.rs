@@ -1,13 +1,14 @@
 //! The events of a traced pixel in words.
 
-use crate::envmap::{CubeFilter, Probe, VOrigin};
+use crate::choice::name_of;
+use crate::envmap::{Probe, VOrigin};
 use crate::integrators::{LightOutcome, RayKind};
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::functions::arccos;
 use crate::math::{DVec3, Ray, Side, Vec3};
 use crate::scene::Scene;
-use crate::shapes::{Geometry, Outline, Surface};
+use crate::shapes::Surface;
 
 /// `(0.1, 0.2, 0.3)`, each the shortest digits that give the same `f32`.
 pub(super) fn colour(colour: Vec3) -> String {
@@ -43,15 +44,7 @@ pub(super) fn shape_name(scene: &Scene, shape: u32) -> String {
 }
 
 pub(super) fn geometry_name(scene: &Scene, shape: u32) -> &'static str {
-    match scene.shapes.primitives().get(shape as usize).map(|primitive| &primitive.geometry) {
-        Some(Geometry::Sphere) => "sphere",
-        Some(Geometry::Flat(Outline::Plane)) => "plane",
-        Some(Geometry::Flat(Outline::Disc)) => "disc",
-        Some(Geometry::Flat(Outline::Rectangle)) => "rectangle",
-        Some(Geometry::Cuboid) => "box",
-        Some(Geometry::Mesh(_)) => "mesh",
-        None => "nothing",
-    }
+    scene.shapes.primitives().get(shape as usize).map_or("nothing", |primitive| primitive.geometry.name())
 }
 
 /// `"gold" (mirror)`.
@@ -144,11 +137,7 @@ pub(super) fn environment(scene: &Scene, direction: DVec3) -> Vec<String> {
     let [width, height] = probe.size;
     let [x, y] = probe.position;
     let down = if probe.v_origin == VOrigin::Top { "v" } else { "(1 - v)" };
-    let filter = match probe.filter {
-        CubeFilter::Nearest => "nearest",
-        CubeFilter::Bilinear => "bilinear",
-        CubeFilter::Seamless => "seamless",
-    };
+    let filter = name_of(probe.filter);
     let mut lines = vec![
         format!(
             "largest component {} = {}: face {}, u along {} = {}, v along {} = {}",

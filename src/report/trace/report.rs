@@ -5,10 +5,11 @@ use std::fmt;
 use super::events::{colour, environment, hit, length, light, ray_name, shape_name, vector};
 use super::json;
 use crate::PixelTrace;
+use crate::choice::name_of;
 use crate::colour::{Encoding, ToneMap};
 use crate::integrators::{Event, RayKind};
 use crate::math::Vec3;
-use crate::scene::{IntegratorKind, OutputSettings, Plan, Scene};
+use crate::scene::{OutputSettings, Plan, Scene};
 
 /// Samples listed one by one at most.
 const LISTED: usize = 16;
@@ -28,15 +29,6 @@ impl TraceReport<'_> {
     pub fn to_json(&self) -> String {
         serde_json::to_string_pretty(&json::report(self.file, self.plan.integrator, self.scene, self.trace))
             .expect("a report is plain data")
-    }
-
-    pub(super) fn integrator(&self) -> &'static str {
-        match self.plan.integrator {
-            IntegratorKind::Normals => "normals",
-            IntegratorKind::Phong => "phong",
-            IntegratorKind::Whitted => "whitted",
-            IntegratorKind::Path => "path",
-        }
     }
 
     fn write_events(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -123,7 +115,7 @@ impl TraceReport<'_> {
 impl fmt::Display for TraceReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let PixelTrace { pixel: [x, y], samples, shown, .. } = self.trace;
-        let integrator = self.integrator();
+        let integrator = name_of(self.plan.integrator);
         let count = samples.len();
         writeln!(
             formatter,
