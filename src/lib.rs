@@ -9,11 +9,13 @@
 //! - `src`: what a user meets.
 
 pub use skycube_tracer::{
-    bvh, camera, colour, envmap, error, integrators, lights, materials, math, memory, parallel, picture, render,
-    sampling, scene, shapes,
+    bvh, camera, choice, colour, envmap, error, integrators, lights, materials, math, memory, parallel, picture,
+    render, sampling, scene, shapes,
 };
 
-pub use skycube_analysis::{PixelTrace, compare, converge, grade, metrics, stress, validate};
+#[cfg(feature = "stress")]
+pub use skycube_analysis::stress;
+pub use skycube_analysis::{PixelTrace, Random, compare, converge, digits, grade, limits, metrics, validate};
 
 pub mod lessons;
 

@@ -14,7 +14,7 @@ use skycube::converge::{
     converge, variants,
 };
 use skycube::render::Progress;
-use skycube::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
+use skycube::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
 use skycube::scene::Scene;
 
 /// A rough ball on a floor under a lamp, small.
@@ -224,7 +224,7 @@ fn reports_are_stable() {
 fn every_line_of_the_plot_is_drawn_in_its_colour() {
     let report = report();
     for measure in [Measure::Rmse, Measure::RelativeMse, Measure::TrimmedRelativeMse, Measure::Flip] {
-        let drawing = draw_convergence(&report, measure).unwrap();
+        let drawing = draw_convergence(&report, measure).to_drawing();
         let count = |colour: [u8; 3]| drawing.bytes().chunks_exact(3).filter(|pixel| **pixel == colour).count();
         // Two panels and the legend, lines at least two pixels thick.
         for colour in [[0, 114, 178], [213, 94, 0]] {
@@ -232,7 +232,7 @@ fn every_line_of_the_plot_is_drawn_in_its_colour() {
         }
         assert!(drawing.width() == 1600 && count([255; 3]) > drawing.width() * drawing.height() / 2);
     }
-    let svg = draw_convergence_svg(&report, Measure::Rmse).unwrap();
+    let svg = draw_convergence(&report, Measure::Rmse).to_svg();
     for text in ["strategy=bsdf", "strategy=mis", "error of the reference", "samples a pixel", "seconds", "lamp.toml"] {
         assert!(svg.contains(text), "{text}");
     }

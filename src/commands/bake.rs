@@ -6,7 +6,6 @@ use std::time::Instant;
 use clap::Args;
 use rayon::ThreadPool;
 
-use super::Outcome;
 use super::interrupt;
 use super::options::{
     PictureOptions, SceneOverrides, check_pixel_count, parse_three, read_lookup, refuse_folder_of,
@@ -14,6 +13,7 @@ use super::options::{
 };
 use super::own_output::refuse_rivals;
 use super::progress_bar::RenderBar;
+use super::terminal::{Outcome, print};
 use crate::envmap::{Face, Lookup};
 use crate::error::Result;
 use crate::math::DVec3;
@@ -77,8 +77,8 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     }
     make_folder(&arguments.output)?;
     picture::write_together(files.iter().map(|(target, bytes)| (*target, bytes.as_slice())))?;
-    targets.iter().for_each(|target| super::print(format_args!("wrote {}\n", target.display())));
-    super::print(format_args!(
+    targets.iter().for_each(|target| print(format_args!("wrote {}\n", target.display())));
+    print(format_args!(
         "six images of {size} x {size} texels for the lookup {}, seen from ({}, {}, {}): {seconds:.2} s, {rays} rays\n",
         arguments.lookup, position.x, position.y, position.z
     ));

@@ -4,9 +4,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::Outcome;
 use super::map_options::check_skybox;
 use super::options::read_lookup;
+use super::terminal::{Outcome, print, remark};
 use crate::envmap::SignedAxis;
 use crate::envmap::source::{Skybox, is_meant_as_map};
 use crate::error::{Error, Result};
@@ -91,9 +91,9 @@ fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<
     let check = arguments.validation.check(skybox)?;
     let report = CheckReport::new(map.display().to_string(), &check);
     if arguments.json {
-        super::print(format_args!("{}\n", report.to_json()));
+        print(format_args!("{}\n", report.to_json()));
     } else {
-        super::print(&report);
+        print(&report);
     }
     Ok(outcome(check.verdict, arguments.strict))
 }
@@ -131,15 +131,15 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
     for map in maps {
         entries.push(check_one_of_several(map, arguments, &mut counts));
         if !arguments.json {
-            super::print(format_args!("{}\n", entries[entries.len() - 1]));
+            print(format_args!("{}\n", entries[entries.len() - 1]));
         }
     }
     let Counts { fits, broken, undecidable, failed } = counts;
     if arguments.json {
-        super::print(format_args!("[\n{}\n]\n", entries.join(",\n")));
+        print(format_args!("[\n{}\n]\n", entries.join(",\n")));
     } else {
         let count = counted(maps.len());
-        super::print(format_args!(
+        print(format_args!(
             "{count}: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked\n"
         ));
     }
@@ -170,7 +170,7 @@ fn check_one_of_several(map: &Path, arguments: &CheckArguments, counts: &mut Cou
         }
         Err(error) => {
             counts.failed += 1;
-            super::remark(format_args!("error: {error}\n"));
+            remark(format_args!("error: {error}\n"));
             let problem = error.problem().lines().next().unwrap_or_default();
             if arguments.json {
                 failed_check_json(&name, &error)

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Outcome;
 use super::options::{check_drawing_name, refuse_to_overwrite_sources};
+use super::terminal::{Outcome, print};
 use crate::compare::{Comparison, Verdict};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, read};
@@ -13,7 +13,7 @@ use crate::report::{CompareReport, Metric, draw_comparison};
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 within the threshold, 1 not (or flipped, turned, red and blue swapped, not \
-                        finite, plainly other in one place, or altogether), 2 could not run.")]
+                        finite, clearly different in one place, or altogether), 2 could not run.")]
 pub struct CompareArguments {
     /// Your picture
     #[arg(value_name = "MINE")]
@@ -49,11 +49,11 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
         draw_comparison(&comparison).write(output)?;
     }
     if arguments.json {
-        super::print(format_args!("{}\n", report.to_json()));
+        print(format_args!("{}\n", report.to_json()));
     } else {
-        super::print(&report);
+        print(&report);
         if let Some(output) = &arguments.output {
-            super::print(format_args!("wrote {}\n", output.display()));
+            print(format_args!("wrote {}\n", output.display()));
         }
     }
     Ok(if report.verdict() == Verdict::Differs { Outcome::Faults } else { Outcome::Clean })

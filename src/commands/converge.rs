@@ -6,19 +6,19 @@ use std::time::Duration;
 
 use clap::Args;
 
-use super::Outcome;
 use super::interrupt;
 use super::options::{
     PictureSize, SettingOverrides, check_pixel_count, parse_duration, refuse_folder_of, refuse_to_overwrite_sources,
 };
 use super::progress_bar::RenderBar;
+use super::terminal::{Outcome, print};
 use crate::converge::{
     Comparison, Configuration, Protocol, Schedule, Variant, Variation, Watch, Work, converge, variants,
 };
 use crate::error::Result;
 use crate::picture::{check_folder_target, check_target, make_folder, write_atomically};
 use crate::render::Progress;
-use crate::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence, draw_convergence_svg};
+use crate::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
 use crate::scene::Scene;
 
 #[derive(Debug, Args)]
@@ -116,10 +116,10 @@ pub fn run(arguments: &ConvergeArguments) -> Result<Outcome> {
     }
     write(&report, arguments.measure, &folder)?;
     if arguments.json {
-        super::print(format_args!("{}\n", report.to_json()));
+        print(format_args!("{}\n", report.to_json()));
     } else {
-        super::print(&report);
-        super::print(format_args!("wrote {} to {}\n", FILES.join(", "), folder.display()));
+        print(&report);
+        print(format_args!("wrote {} to {}\n", FILES.join(", "), folder.display()));
     }
     Ok(if report.stopped { Outcome::Interrupted } else { Outcome::Clean })
 }
@@ -182,12 +182,12 @@ fn refuse(folder: &Path, scenes: &[Subject]) -> Result<()> {
 /// All four are there before the first is written.
 fn write(report: &ConvergeReport, measure: Measure, folder: &Path) -> Result<()> {
     let (csv, json) = (converge_csv(report), report.to_json() + "\n");
-    let (picture, svg) = (draw_convergence(report, measure)?, draw_convergence_svg(report, measure)?);
+    let chart = draw_convergence(report, measure);
     make_folder(folder)?;
-    for (name, text) in [(FILES[0], csv), (FILES[1], json), (FILES[3], svg)] {
+    for (name, text) in [(FILES[0], csv), (FILES[1], json), (FILES[3], chart.to_svg())] {
         write_atomically(&folder.join(name), text.as_bytes())?;
     }
-    picture.write(&folder.join(FILES[2]))
+    chart.to_drawing().write(&folder.join(FILES[2]))
 }
 
 fn default_folder(scenes: &[PathBuf]) -> PathBuf {

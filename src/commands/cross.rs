@@ -4,9 +4,9 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Outcome;
 use super::map_options::{OpenMap, ViewOptions};
 use super::options::{check_drawing_name, refuse_source_folder, refuse_to_overwrite_sources};
+use super::terminal::{Outcome, print};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
@@ -50,17 +50,12 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     }
     drawing.write(&arguments.output)?;
     if let Some(assumption) = assumption {
-        super::print(format_args!("{assumption}\n"));
+        print(format_args!("{assumption}\n"));
     }
     if arguments.fixed && check.fix.changes == 0 {
-        super::print(format_args!("{}; drawn once\n", nothing_to_fix(&check)));
+        print(format_args!("{}; drawn once\n", nothing_to_fix(&check)));
     }
-    super::print(format_args!(
-        "wrote {}: {} x {} pixels\n",
-        arguments.output.display(),
-        drawing.width(),
-        drawing.height()
-    ));
+    print(format_args!("wrote {}: {} x {} pixels\n", arguments.output.display(), drawing.width(), drawing.height()));
     Ok(Outcome::Clean)
 }
 

@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::Outcome;
 use super::check::ValidationOptions;
 use super::options::{refuse_shared_images, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::refuse_rivals;
+use super::terminal::{Outcome, print, remark};
 use crate::envmap::Orientation;
 use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
@@ -36,7 +36,7 @@ struct Corrected {
     what: String,
 }
 
-/// Checks the map and mends it. Ends with faults if a face remains that does not belong.
+/// Checks the map and repairs it. Ends with faults if a face remains that does not belong.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
         return Err(Error::new("it is not said where the fix shall go")
@@ -45,26 +45,24 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let check = arguments.validation.check(&skybox)?;
     if let Some(language) = arguments.code {
-        super::print(lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
+        print(lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
     } else if let Some(folder) = &arguments.output {
         write_files(&skybox, &check, folder)?;
         if check.verdict == Verdict::Fits && check.fix.changes == 0 {
-            super::remark(format_args!("nothing to fix: the faces fit as they are\n"));
+            remark(format_args!("nothing to fix: the faces fit as they are\n"));
         }
     }
     for note in check.notes.iter().take(check.foreign.len()) {
-        super::remark(format_args!("not mended: {note}\n"));
+        remark(format_args!("not repaired: {note}\n"));
     }
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
     if check.verdict == Verdict::Broken && check.foreign.is_empty() {
         for fix in undecided {
-            super::remark(format_args!("left as it is: the pixels do not tell how {} must be laid\n", fix.face.name()));
+            remark(format_args!("left as it is: the pixels do not tell how {} must be placed\n", fix.face.name()));
         }
     }
     if check.verdict == Verdict::Undecidable {
-        super::remark(format_args!(
-            "undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"
-        ));
+        remark(format_args!("undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"));
     }
     Ok(if check.foreign.is_empty() { Outcome::Clean } else { Outcome::Faults })
 }
@@ -85,10 +83,10 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     make_folder(folder)?;
     write_together(files.iter().map(|file| (file.target.as_path(), file.bytes.as_slice())))?;
     for file in &files {
-        super::print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
+        print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
     }
     if let Some(convention) = check.fix.convention {
-        super::print(format_args!("{convention}\n"));
+        print(format_args!("{convention}\n"));
     }
     Ok(())
 }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::Outcome;
 use super::options::read_lookup;
+use super::terminal::{Outcome, print};
 use crate::envmap::source::Skybox;
 use crate::envmap::{Face, Preset, SignedAxis};
 use crate::error::{Error, Result};
@@ -58,7 +58,7 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
         v_origin: lookup.v_origin(),
         world_up,
     };
-    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
     let clean = matches!(grade.verdict(), GradeVerdict::Right | GradeVerdict::Undecided);
     Ok(if clean { Outcome::Clean } else { Outcome::Faults })
 }

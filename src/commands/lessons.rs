@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, Subcommand};
 
-use super::Outcome;
+use super::terminal::{Outcome, print};
 use crate::error::Result;
 use crate::lessons::{Language, default_folder, find, read_all, start};
 use crate::report::{lesson_list, lesson_page, lesson_started};
@@ -60,7 +60,7 @@ pub fn run(arguments: &LessonsArguments) -> Result<Outcome> {
         (None, Some(number)) => lesson_page(find(&lessons, number)?, options.language),
         (None, None) => lesson_list(&lessons, options.language),
     };
-    super::print(text);
+    print(text);
     Ok(Outcome::Clean)
 }
 

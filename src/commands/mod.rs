@@ -16,7 +16,9 @@ mod probe;
 mod progress_bar;
 mod render;
 mod shots;
+#[cfg(feature = "stress")]
 mod stress;
+mod terminal;
 mod trace;
 
 use std::process::ExitCode;
@@ -24,19 +26,10 @@ use std::process::ExitCode;
 use clap::{Parser, Subcommand};
 
 use crate::error::Result;
+pub use terminal::Outcome;
+use terminal::remark;
 
-/// How a command ended, for the shell.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Outcome {
-    /// Done, and nothing to complain about.
-    Clean,
-    /// Done, and faults were found.
-    Faults,
-    /// Stopped by Ctrl-C; what there was by then is written and marked.
-    Interrupted,
-}
-
-/// A small, complete ray tracer for teaching, and a validator that says how to mend a skybox.
+/// A small, complete ray tracer for teaching, and a validator that says how to repair a skybox.
 #[derive(Debug, Parser)]
 #[command(name = "skycube", version, about, long_about = None, arg_required_else_help = true)]
 #[command(after_help = "Exit codes: 0 clean, 1 faults found, 2 could not run, 130 interrupted.")]
@@ -67,6 +60,7 @@ enum Command {
     Probe(probe::ProbeArguments),
     /// Render what a camera sees along the six axes of a map, and a contact sheet
     Shots(shots::ShotsArguments),
+    #[cfg(feature = "stress")]
     /// Measure on extreme inputs how far the program itself stays accurate
     Stress(stress::StressArguments),
     /// Follow one pixel of a scene: every ray, hit, shadow test and lookup, and how its colour adds up
@@ -88,23 +82,12 @@ pub fn run() -> ExitCode {
         Command::Lessons(arguments) => lessons::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
+        #[cfg(feature = "stress")]
         Command::Stress(arguments) => stress::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
     };
     exit_code(result)
-}
-
-/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is no fault of ours.
-fn print(text: impl std::fmt::Display) {
-    use std::io::Write;
-    let _ = write!(std::io::stdout().lock(), "{text}");
-}
-
-/// Writes to standard error; that nobody reads it is no error.
-fn remark(text: impl std::fmt::Display) {
-    use std::io::Write;
-    let _ = write!(std::io::stderr().lock(), "{text}");
 }
 
 fn exit_code(result: Result<Outcome>) -> ExitCode {

@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use clap::Args;
 
+use crate::choice::names_of;
 use crate::colour::ToneMap;
 use crate::envmap::source::{Layout, Skybox};
 use crate::envmap::{Lookup, Preset};
@@ -181,9 +182,8 @@ pub fn read_lookup(name: &str) -> Result<Lookup> {
     if file.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("toml")) {
         return crate::scene::read_lookup_file(file);
     }
-    let names: Vec<&str> = Preset::ALL.into_iter().map(Preset::name).collect();
     Err(Error::new(format!("there is no lookup \"{name}\""))
-        .expected(format!("one of {}, or a TOML file with a table of your own", names.join(", "))))
+        .expected(format!("one of {}, or a TOML file with a table of your own", names_of::<Preset>().join(", "))))
 }
 
 /// An error if writing to `target` would overwrite a file that something is read from.

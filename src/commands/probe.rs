@@ -2,9 +2,9 @@
 
 use clap::Args;
 
-use super::Outcome;
 use super::map_options::MapOptions;
 use super::options::parse_three;
+use super::terminal::{Outcome, print};
 use crate::envmap::{CubeFilter, CubeMap, Face, Probe};
 use crate::error::Result;
 use crate::math::Vec3;
@@ -40,13 +40,13 @@ pub fn run(arguments: &ProbeArguments) -> Result<Outcome> {
     let before = report(&given, &map.lookup_name);
     let after = fixed.as_ref().map(|probe| report(probe, &fixed_name));
     if arguments.json {
-        super::print(format_args!("{}\n", before.to_json(after.as_ref())));
+        print(format_args!("{}\n", before.to_json(after.as_ref())));
         return Ok(Outcome::Clean);
     }
-    super::print(format_args!("{before}"));
+    print(format_args!("{before}"));
     match after {
-        Some(after) => super::print(format_args!("\n{after}")),
-        None => super::print(format_args!("\n{}\n", nothing_to_fix(&check))),
+        Some(after) => print(format_args!("\n{after}")),
+        None => print(format_args!("\n{}\n", nothing_to_fix(&check))),
     }
     Ok(Outcome::Clean)
 }

@@ -57,6 +57,7 @@ impl RenderBar {
     }
 
     /// One step of work that is not counted in rays.
+    #[cfg(feature = "stress")]
     pub fn step(&self) {
         self.bar.inc(1);
     }

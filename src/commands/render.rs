@@ -5,18 +5,18 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use super::Outcome;
 use super::interrupt;
 use super::options::{
     PictureOptions, PictureSize, SceneOverrides, check_pixel_count, parse_duration, refuse_to_overwrite_sources,
 };
 use super::progress_bar::RenderBar;
+use super::terminal::{Outcome, print, remark};
 use crate::error::{Error, Result};
+use crate::limits::outside_limits;
 use crate::picture::{self, Extras, OutputFormat, check_target};
 use crate::render::{Budget, Layers, Renderer, Rendering, render_progressively};
 use crate::report::RenderReport;
 use crate::scene::{Plan, Scene};
-use crate::stress::outside_limits;
 
 #[derive(Debug, Args)]
 pub struct RenderArguments {
@@ -54,14 +54,14 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let plan = Plan::new(&scene);
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.scene));
     refuse(arguments, &scene, &output)?;
-    outside_limits(&scene).iter().for_each(|figure| super::remark(format_args!("warning: {figure}\n")));
+    outside_limits(&scene).iter().for_each(|figure| remark(format_args!("warning: {figure}\n")));
     let loaded = started.elapsed();
     let pool = arguments.overrides.thread_pool()?;
     let rendering = pool.install(|| rendering(arguments, &scene, &plan))?;
     let rendered = started.elapsed();
     pool.install(|| write(arguments, &scene, &rendering, &output))?;
     let report = RenderReport::new(&scene, &plan, &output, &rendering, [loaded, rendered, started.elapsed()]);
-    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
     Ok(if rendering.stopped { Outcome::Interrupted } else { Outcome::Clean })
 }
 

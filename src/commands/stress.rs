@@ -4,11 +4,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::Outcome;
 use super::progress_bar::RenderBar;
+use super::terminal::{Outcome, print};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, write_atomically};
-use crate::report::{StressPlot, StressReport};
+use crate::report::{StressReport, draw_stress};
 use crate::stress::{Case, Effort, Subject, Verdict, subjects};
 
 #[derive(Debug, Args)]
@@ -45,7 +45,7 @@ pub fn run(arguments: &StressArguments) -> Result<Outcome> {
     let cases: Vec<Case> = chosen.into_iter().map(measured).collect();
     bar.finish();
     let report = StressReport { cases: &cases, effort, steps: arguments.case.is_some() };
-    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
     if let Some(file) = &arguments.plot {
         draw(&cases, file)?;
     }
@@ -78,6 +78,6 @@ fn is_svg(file: &Path) -> Result<bool> {
 }
 
 fn draw(cases: &[Case], file: &Path) -> Result<()> {
-    let plot = StressPlot::new(cases);
-    if is_svg(file)? { write_atomically(file, plot.to_svg().as_bytes()) } else { plot.to_drawing().write(file) }
+    let chart = draw_stress(cases);
+    if is_svg(file)? { write_atomically(file, chart.to_svg().as_bytes()) } else { chart.to_drawing().write(file) }
 }

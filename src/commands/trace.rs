@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::Outcome;
 use super::options::{PictureSize, SceneOverrides};
+use super::terminal::{Outcome, print};
 use crate::PixelTrace;
 use crate::error::{Error, Result};
 use crate::report::TraceReport;
@@ -43,7 +43,7 @@ pub fn run(arguments: &TraceArguments) -> Result<Outcome> {
     let trace = pool.install(|| PixelTrace::of(&scene, &plan, arguments.pixel, arguments.sample))?;
     let file = arguments.scene.display().to_string();
     let report = TraceReport { trace: &trace, scene: &scene, plan: &plan, file: &file };
-    super::print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
     Ok(Outcome::Clean)
 }
 

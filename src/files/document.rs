@@ -3,11 +3,13 @@
 
 use std::path::{Path, PathBuf};
 
+use clap::ValueEnum;
 use glam::{DVec3, Vec3};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::text_file::read_text;
+use crate::choice::names_of;
 use crate::error::{Error, Result};
 
 /// The text of a TOML file.
@@ -281,10 +283,17 @@ impl<'a> Value<'a> {
         Ok(colour.as_vec3())
     }
 
-    /// One of several named choices.
-    pub fn choice<T: Copy>(&self, choices: &[(&str, T)]) -> Result<T> {
-        let names: Vec<&str> = choices.iter().map(|(name, _)| *name).collect();
-        Ok(choices[self.one_of(&names)?].1)
+    /// One of the choices of an enum, by their names on the command line.
+    pub fn choice<T: ValueEnum>(&self) -> Result<T> {
+        let names = names_of::<T>();
+        let place = self.one_of(&names.iter().map(String::as_str).collect::<Vec<_>>())?;
+        Ok(T::value_variants()[place].clone())
+    }
+
+    /// One of several values by their names.
+    pub fn named<T: Copy>(&self, values: &[(&str, T)]) -> Result<T> {
+        let names: Vec<&str> = values.iter().map(|(name, _)| *name).collect();
+        Ok(values[self.one_of(&names)?].1)
     }
 
     /// The place of a text in a list of those that are known.

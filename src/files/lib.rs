@@ -10,6 +10,7 @@ mod atomic_file;
 mod text_file;
 
 pub mod archive;
+pub mod choice;
 pub mod document;
 pub mod picture;
 

@@ -2,7 +2,8 @@
 
 use std::fmt::Write;
 
-use crate::envmap::{Face, FaceLookup, Lookup, SignedAxis, VOrigin};
+use crate::choice::name_of;
+use crate::envmap::{Face, FaceLookup, Lookup, SignedAxis};
 
 /// A language in which a lookup is printed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
@@ -18,10 +19,7 @@ pub enum CodeLanguage {
 pub fn lookup_code(corrected: &Lookup, given: &Lookup, language: CodeLanguage) -> String {
     let (head, tail, comment) = frame(language);
     let mut text = String::new();
-    let origin = match corrected.v_origin() {
-        VOrigin::Top => "top",
-        VOrigin::Bottom => "bottom",
-    };
+    let origin = name_of(corrected.v_origin());
     if language == CodeLanguage::Toml {
         let _ = writeln!(text, "v_origin = \"{origin}\"");
     } else {

@@ -1,70 +1,34 @@
-//! What the tool says and draws. Only this module draws.
+//! What the tool says and draws: a module for each command, and what they share. Only this module draws.
 
-mod canvas;
-mod chart_marks;
-mod check_report;
+mod chart;
+mod check;
 mod code;
-mod compare_drawing;
-mod compare_figures;
-mod compare_report;
-mod compare_sentences;
-mod compass;
-mod compass_marks;
-mod contact_sheet;
-mod converge_plot;
-mod converge_report;
-mod converge_series;
-mod converge_table;
-mod cross_drawing;
-mod cross_layout;
-mod cross_legend;
+mod compare;
+mod converge;
 mod drawing;
-mod grade_json;
-mod grade_report;
-mod grade_sentences;
+mod grade;
 mod grouped;
-mod lessons_report;
-mod logarithmic_axis;
-mod nothing_to_fix;
-mod plot_backend;
-mod plot_legend;
-mod plot_marks;
-mod probe_report;
-mod render_report;
-mod rounded;
-mod seam_mark;
-mod shots_report;
-mod stress_plot;
-mod stress_report;
-mod text_drawing;
-mod trace_events;
-mod trace_json;
-mod trace_report;
+mod lessons;
+mod probe;
+mod render;
+mod shots;
+#[cfg(feature = "stress")]
+mod stress;
+mod trace;
 
-pub use check_report::{CheckReport, failed_check_json};
+pub use chart::Chart;
+pub use check::{CheckReport, failed_check_json, nothing_to_fix};
 pub use code::{CodeLanguage, lookup_code};
-pub use compare_drawing::draw_comparison;
-pub use compare_report::{CompareReport, Metric};
-pub use compass::draw_compass_face;
-pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
-pub use converge_plot::{draw_convergence, draw_convergence_svg};
-pub use converge_report::{ConvergeReport, ConvergedScene};
-pub use converge_series::Measure;
-pub use converge_table::converge_csv;
-pub use cross_drawing::{CrossInput, draw_cross};
-pub use cross_layout::{CrossCell, CrossEdge, CrossLayout, Side};
-pub use drawing::Drawing;
-pub use grade_report::GradeReport;
-pub use lessons_report::{lesson_list, lesson_page, lesson_started};
-pub use nothing_to_fix::nothing_to_fix;
-pub use probe_report::ProbeReport;
-pub use render_report::RenderReport;
-pub use seam_mark::SeamMark;
-pub use shots_report::ShotsReport;
-pub use stress_plot::StressPlot;
-pub use stress_report::StressReport;
-pub use text_drawing::{Anchor, draw_text, text_path, text_width};
-pub use trace_report::TraceReport;
-
-#[cfg(test)]
-mod tests;
+pub use compare::{CompareReport, Metric, draw_comparison};
+pub use converge::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
+pub use drawing::{
+    Anchor, CaptionedShot, CrossInput, Drawing, SeamMark, draw_compass_face, draw_contact_sheet, draw_cross, text_path,
+};
+pub use grade::GradeReport;
+pub use lessons::{lesson_list, lesson_page, lesson_started};
+pub use probe::ProbeReport;
+pub use render::RenderReport;
+pub use shots::ShotsReport;
+#[cfg(feature = "stress")]
+pub use stress::{StressReport, draw_stress};
+pub use trace::TraceReport;

@@ -16,7 +16,7 @@ pub enum Light {
 }
 
 /// How the light of a point grows weaker with distance.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 pub enum Falloff {
     /// Physical: irradiance = intensity / distance^2.
     #[default]

@@ -2,8 +2,9 @@
 
 use std::sync::OnceLock;
 
+use skycube::limits::LIMITS;
 use skycube::report::StressReport;
-use skycube::stress::{Case, Effort, LIMITS, Verdict, subjects};
+use skycube::stress::{Case, Effort, Verdict, subjects};
 
 const FAST: Effort = Effort { rays: 20_000 };
 

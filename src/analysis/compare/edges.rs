@@ -1,6 +1,11 @@
 //! Whether what is left lies along edges only: that is how pictures of another number of samples differ.
 
+use serde::Serialize;
+
+use super::finding::{Finding, Kind};
+use super::subject::Left;
 use super::undoing::Aligned;
+use crate::digits::digits;
 use crate::metrics::Plane;
 
 /// The step of luma that makes an edge.
@@ -12,35 +17,59 @@ const DECISIVE: (f64, f64) = (0.9, 0.6);
 /// How many times larger the mean squared difference must be there than elsewhere.
 const CONTRAST: f64 = 20.0;
 
-/// A difference that lies along edges that both pictures have.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Edges {
+/// What is left lies along edges that both pictures have.
+#[derive(Serialize)]
+struct Edges {
     /// Share of the squared difference on them, `[0, 1]`.
-    pub share: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    share: f64,
     /// Share of the pixels that they take, `[0, 1]`.
-    pub area: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    area: f64,
+    /// Standard deviation of the difference all over, in codes of 255.
+    #[serde(serialize_with = "digits::<1, _>")]
+    deviation: f64,
+    #[serde(skip)]
+    subject: &'static str,
 }
 
-impl Edges {
-    /// None if much of the difference lies elsewhere, or there is little but edges.
-    pub fn of(aligned: &Aligned) -> Option<Self> {
-        let (mine, expected) = (Plane::luma(&aligned.mine), Plane::luma(&aligned.expected));
-        let ranges = range(&mine).zip(&range(&expected), f32::min);
-        let [mut inside, mut all] = [0.0f64; 2];
-        let mut pixels = 0usize;
-        for ((&a, &b), &range) in mine.values().iter().zip(expected.values()).zip(ranges.values()) {
-            let square = f64::from(a - b) * f64::from(a - b);
-            all += square;
-            if range > STEP {
-                inside += square;
-                pixels += 1;
-            }
-        }
-        let area = pixels as f64 / ranges.values().len() as f64;
-        let share = if all > 0.0 { inside / all } else { 0.0 };
-        let contrasts = share * (1.0 - area) >= CONTRAST * (1.0 - share) * area;
-        (share >= DECISIVE.0 && area <= DECISIVE.1 && contrasts).then_some(Self { share, area })
+impl Kind for Edges {
+    const NAME: &'static str = "edges";
+
+    fn sentence(&self) -> String {
+        let (share, area) = (100.0 * self.share, 100.0 * self.area);
+        format!(
+            "{} lies along edges ({share:.0} % of it on {area:.0} % of the pixels), where samples within the pixel count: \
+             render with as many as the expected picture has, and let a single ray go through the pixel's centre.",
+            self.subject
+        )
     }
+}
+
+/// None if much of the difference lies elsewhere, or there is little but edges.
+pub(super) fn found(left: &Left) -> Option<Finding> {
+    let (share, area) = along_edges(left.aligned);
+    let contrasts = share * (1.0 - area) >= CONTRAST * (1.0 - share) * area;
+    let decisive = share >= DECISIVE.0 && area <= DECISIVE.1 && contrasts;
+    decisive.then(|| Edges { share, area, deviation: left.residue.deviation, subject: left.subject() }.into())
+}
+
+/// The share of the squared difference that lies on edges, and the share of the pixels that they take.
+fn along_edges(aligned: &Aligned) -> (f64, f64) {
+    let (mine, expected) = (Plane::luma(&aligned.mine), Plane::luma(&aligned.expected));
+    let ranges = range(&mine).zip(&range(&expected), f32::min);
+    let [mut inside, mut all] = [0.0f64; 2];
+    let mut pixels = 0usize;
+    for ((&a, &b), &range) in mine.values().iter().zip(expected.values()).zip(ranges.values()) {
+        let square = f64::from(a - b) * f64::from(a - b);
+        all += square;
+        if range > STEP {
+            inside += square;
+            pixels += 1;
+        }
+    }
+    let area = pixels as f64 / ranges.values().len() as f64;
+    (if all > 0.0 { inside / all } else { 0.0 }, area)
 }
 
 /// The largest less the smallest value around every pixel.

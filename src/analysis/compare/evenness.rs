@@ -1,6 +1,10 @@
 //! Pictures that show nothing but one tone, or one tone and noise.
 
+use serde::Serialize;
+
+use super::finding::{Finding, Kind, Weight};
 use crate::colour::luminance;
+use crate::digits::digits;
 use crate::metrics::Plane;
 use crate::picture::Raster;
 
@@ -52,6 +56,75 @@ impl Evenness {
         let independent = self.deviation / BLOCK as f64;
         let quiet = self.block_deviation < STEADY || self.block_deviation < LARGEST_OF_NOISE.sqrt() * independent;
         self.is_flat() || (quiet && self.deviation < LOUDEST)
+    }
+}
+
+/// Mine is of one tone, and the expected picture is not.
+#[derive(Serialize)]
+struct Flat {
+    /// `[0, 1]`.
+    #[serde(serialize_with = "digits::<3, _>")]
+    luma: f64,
+    alpha: bool,
+    /// The standard deviation of the noise around the tone, in codes of 255.
+    #[serde(serialize_with = "digits::<1, _>")]
+    deviation: f64,
+}
+
+/// The expected picture is of one tone but for noise, and mine is not: standard deviations in codes of 255.
+#[derive(Serialize)]
+struct ExpectedEven {
+    #[serde(serialize_with = "digits::<1, _>")]
+    mine: f64,
+    #[serde(serialize_with = "digits::<1, _>")]
+    expected: f64,
+}
+
+impl Kind for Flat {
+    const NAME: &'static str = "flat";
+    const WEIGHT: Weight = Weight::AnotherPicture;
+
+    fn sentence(&self) -> String {
+        let Self { luma, alpha, deviation } = *self;
+        let tone = match luma {
+            _ if deviation >= 0.6 => format!(
+                "Your picture is even but for noise (standard deviation {deviation:.1} of 255); the expected one shows \
+                 something."
+            ),
+            ..0.01 => {
+                "Your picture is black: nothing was rendered, or light, camera or material numbers are zero.".to_owned()
+            }
+            ..=0.99 => "Your picture is of one tone all over: every ray gets the same colour.".to_owned(),
+            _ => {
+                "Your picture is white all over: the values are far too large, or the file was written in other units."
+                    .to_owned()
+            }
+        };
+        let alpha = if alpha { " The file has an alpha channel, which is not applied: write one without." } else { "" };
+        format!("{tone}{alpha}")
+    }
+}
+
+impl Kind for ExpectedEven {
+    const NAME: &'static str = "expected_even";
+    const WEIGHT: Weight = Weight::AnotherPicture;
+
+    fn sentence(&self) -> String {
+        let Self { mine, expected } = self;
+        format!(
+            "The expected picture is even; yours shows something: your tones deviate by {mine:.1} of 255, those expected \
+             by {expected:.1}."
+        )
+    }
+}
+
+/// The finding if only one of the pictures shows nothing but a tone.
+pub(super) fn found([mine, expected]: [Evenness; 2], alpha: bool) -> Option<Finding> {
+    let deviation = |evenness: Evenness| 255.0 * evenness.deviation;
+    match [mine.is_even(), expected.is_even()] {
+        [true, false] => Some(Flat { luma: mine.luma, alpha, deviation: deviation(mine) }.into()),
+        [false, true] => Some(ExpectedEven { mine: deviation(mine), expected: deviation(expected) }.into()),
+        _ => None,
     }
 }
 

@@ -1,84 +1,69 @@
 //! What can be said of a picture.
+//!
+//! A kind of finding is one file with its detector, its figures and its sentence, and one line in a list: `PARTS` of
+//! [`super::search`] for mistakes that can be undone, `OTHER_PICTURES` there for pictures that show something else,
+//! `ALL_OVER` of [`super::rest`] for what is left in the end.
 
-use super::partial::Partial;
-use super::region::Region;
-use super::tone::Curve;
-use crate::envmap::ImageOperation;
+use std::fmt;
+
+use serde::Serialize;
+use serde_json::Value;
+
+use crate::digits::digits;
+
+/// Something that mine does differently, as its detector says it. "Mine" is the student's picture.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Finding {
+    /// The kind, for machines.
+    pub kind: &'static str,
+    /// What a student reads.
+    pub sentence: String,
+    #[serde(skip)]
+    pub weight: Weight,
+    /// The figures of this kind by their names, rounded to the digits that are stable.
+    #[serde(flatten)]
+    pub figures: Value,
+}
+
+/// What a finding means for the verdict.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Weight {
+    /// The metric decides.
+    Difference,
+    /// It is not the expected picture, however small the difference in numbers: a missing ball is a small part of the mean.
+    Fault,
+    /// The same, and mine shows something else, so that nothing finer can be said.
+    AnotherPicture,
+}
+
+/// A kind of finding; its fields are the figures.
+pub(super) trait Kind: Serialize {
+    const NAME: &'static str;
+    const WEIGHT: Weight = Weight::Difference;
+
+    fn sentence(&self) -> String;
+}
+
+impl<K: Kind> From<K> for Finding {
+    fn from(found: K) -> Self {
+        let figures = serde_json::to_value(&found).expect("figures are plain data");
+        Self { kind: K::NAME, sentence: found.sentence(), weight: K::WEIGHT, figures }
+    }
+}
 
 /// How much a finding explains: the mean difference on display, in codes of 255, with everything else undone, and with
 /// this undone too.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Evidence {
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(super) struct Evidence {
+    #[serde(rename = "difference_before", serialize_with = "digits::<2, _>")]
     pub before: f64,
+    #[serde(rename = "difference_after", serialize_with = "digits::<2, _>")]
     pub after: f64,
 }
 
-/// Something that mine does differently. "Mine" is the student's picture.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Finding {
-    /// Pixels that are not finite numbers; the first one from the top. They count as black.
-    NotFinite { pixels: usize, first: [usize; 2] },
-    /// Width and height differ; mine was resampled.
-    Size { mine: [usize; 2], expected: [usize; 2], same_proportions: bool },
-    /// Mine is of one tone, and the expected picture is not: its luma, `[0, 1]`, and the standard deviation of the noise
-    /// around it, in codes of 255.
-    Flat { luma: f64, alpha: bool, deviation: f64 },
-    /// The expected picture is of one tone but for noise, and mine is not: standard deviations in codes of 255.
-    ExpectedEven { mine: f64, expected: f64 },
-    /// Mine shows the same things `factor` times as large: the camera has another field of view.
-    Scaled { factor: f64, correlation: f64 },
-    /// Mine shows the same things `factor` times as wide (`horizontally`) or as high: the factor width/height is wrong.
-    /// `aspect` is that of the expected picture.
-    Stretched { horizontally: bool, factor: f64, aspect: f64, correlation: f64 },
-    /// Everything stands in its place, but in other tones: the correlation of the outlines, and the share of what has
-    /// structure in which light and dark are exchanged, `[0, 1]`.
-    Recoloured { outlines: f64, inverted: f64 },
-    /// A part of mine is as expected, and the rest is something else.
-    Partial { part: Partial },
-    /// Nothing in mine stands where the expected picture has it, whichever way it is laid.
-    Unrelated { correlation: f64 },
-    /// Mine is the expected picture after this operation.
-    Laid { operation: ImageOperation, evidence: Evidence },
-    /// Red and blue have changed places.
-    RedBlueSwapped { evidence: Evidence },
-    /// The encoding of mine is another.
-    Encoding { curve: Curve, evidence: Evidence },
-    /// Mine is `factor` times as bright.
-    Exposure { factor: f64, stops: f64, evidence: Evidence },
-    /// Mine lies this many pixels to the right and down.
-    Shifted { x: f64, y: f64, evidence: Evidence },
-    /// This share of the pixels is cut off at white where the expected picture goes on.
-    ClippedHighlights { share: f64 },
-    /// What is left is noise of this standard deviation, in codes of 255.
-    Noise { deviation: f64 },
-    /// What is left is mostly in one place.
-    Region { region: Region },
-    /// What is left lies along edges: this share of the squared difference on this share of the pixels, `[0, 1]`. Its
-    /// standard deviation all over, in codes of 255.
-    Edges { share: f64, area: f64, deviation: f64 },
-    /// What is left is all over the picture, and nothing above explains it.
-    Everywhere,
-}
-
-impl Finding {
-    /// True for what makes it another picture, however small the difference in numbers: a missing ball is a small part
-    /// of the mean.
-    pub fn is_fault(&self) -> bool {
-        self.is_another_picture()
-            || matches!(self, Finding::NotFinite { .. } | Finding::Laid { .. } | Finding::RedBlueSwapped { .. })
-    }
-
-    /// True if mine shows something else, so that nothing finer can be said.
-    pub fn is_another_picture(&self) -> bool {
-        matches!(
-            self,
-            Finding::Flat { .. }
-                | Finding::ExpectedEven { .. }
-                | Finding::Unrelated { .. }
-                | Finding::Scaled { .. }
-                | Finding::Stretched { .. }
-                | Finding::Recoloured { .. }
-                | Finding::Partial { .. }
-        )
+impl fmt::Display for Evidence {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { before, after } = self;
+        write!(formatter, "undoing it takes the mean difference from {before:.1} to {after:.1} of 255")
     }
 }

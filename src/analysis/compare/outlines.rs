@@ -2,12 +2,17 @@
 //! materials.
 //!
 //! Outlines are the lengths of the gradients of all three channels, which no exchange of light and dark changes, with large
-//! ones bounded: `g / (g + k)`. What outlines of other things share by chance is measured on the same pictures, laid over
+//! ones bounded: `g / (g + k)`. What outlines of other things share by chance is measured on the same pictures, placed over
 //! each other with mine moved by eighths of its width.
 
+use serde::Serialize;
+
+use super::finding::{Finding, Kind, Weight};
 use super::partial;
 use super::structure::{self, DECIDING_SIDE};
+use super::subject::Apart;
 use crate::colour::luminance;
+use crate::digits::digits;
 use crate::envmap::ImageOperation;
 use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
@@ -23,26 +28,47 @@ const STRUCTURE: f64 = 0.02;
 /// Blocks that correlate less are inverted.
 const INVERTED: f64 = -0.5;
 
-/// How the outlines of two pictures agree.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Outlines {
-    /// Their correlation, `[-1, 1]`.
-    pub correlation: f64,
+/// Everything stands in its place, but in other tones.
+#[derive(Serialize)]
+struct Recoloured {
+    /// The correlation of the outlines, `[-1, 1]`.
+    #[serde(serialize_with = "digits::<3, _>")]
+    outlines: f64,
     /// The share of the blocks with structure in both pictures in which light and dark are exchanged, `[0, 1]`.
-    pub inverted: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    inverted: f64,
 }
 
-/// The outlines of pictures of display codes, if they stand in the same places.
-pub(super) fn found(mine_codes: &Raster, expected_codes: &Raster) -> Option<Outlines> {
-    let size = structure::thumbnail_size(expected_codes, DECIDING_SIDE);
+impl Kind for Recoloured {
+    const NAME: &'static str = "recoloured";
+    const WEIGHT: Weight = Weight::AnotherPicture;
+
+    fn sentence(&self) -> String {
+        let Self { outlines, inverted } = self;
+        let tones = if *inverted >= 0.1 {
+            format!("in {:.0} % of what has structure light and dark are exchanged", 100.0 * inverted)
+        } else {
+            "differently from place to place".to_owned()
+        };
+        format!(
+            "Everything stands in its place (the outlines correlate by {outlines:.2}), but its colours are other ones: \
+             {tones}. The camera is right. Check the normals (one that points the other way turns (n + 1) / 2 into the \
+             complementary colour, and a lit surface black), then materials and lights."
+        )
+    }
+}
+
+/// The finding if the outlines stand in the same places.
+pub(super) fn found(apart: &Apart) -> Option<Finding> {
+    let size = structure::thumbnail_size(apart.expected, DECIDING_SIDE);
     let [mine, expected] =
-        [mine_codes, expected_codes].map(|raster| structure::thumbnail(raster, ImageOperation::None, size));
+        [apart.mine, apart.expected].map(|raster| structure::thumbnail(raster, ImageOperation::None, size));
     let (own, other) = (outlines(&mine), outlines(&expected));
     let correlation = structure::correlation(&own, &other, [0, 0]);
     let moved = |eighth: usize| structure::correlation(&turned(&own, eighth * size[0] / 8), &other, [0, 0]);
     let by_chance = (1..8).map(moved).fold(0.0, f64::max);
     let agree = correlation >= DECISIVE.0 && correlation >= by_chance + DECISIVE.1;
-    agree.then(|| Outlines { correlation, inverted: inverted(&mine, &expected) })
+    agree.then(|| Recoloured { outlines: correlation, inverted: inverted(&mine, &expected) }.into())
 }
 
 /// The bounded lengths of the gradients, less their mean.

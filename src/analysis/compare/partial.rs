@@ -1,10 +1,15 @@
 //! Pictures that agree in a part: what stands there stands where it should, and the rest is other.
 //!
 //! The luma, freed from slow changes, is correlated block by block. That blocks of pictures of other things correlate by
-//! chance is measured on the same pictures, laid over each other with mine moved by eighths of its width.
+//! chance is measured on the same pictures, placed over each other with mine moved by eighths of its width.
 
+use serde::Serialize;
+
+use super::finding::{Finding, Kind, Weight};
 use super::structure::{self, DECIDING_SIDE};
+use super::subject::Apart;
 use crate::colour::luminance;
+use crate::digits::digits;
 use crate::envmap::ImageOperation;
 use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
@@ -22,33 +27,53 @@ const OTHER_TONE: f64 = 0.04;
 /// The share of the picture's border that differs if a surrounding does.
 const WIDELY: f64 = 0.6;
 
-/// How a picture fits in part.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Partial {
+/// A part of mine is as expected, and the rest is something else.
+#[derive(Serialize)]
+struct Partial {
     /// The share of the blocks with structure that fit, `[0, 1]`.
-    pub fits: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    fits: f64,
     /// The same where nothing but chance lets them fit.
-    pub by_chance: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    by_chance: f64,
     /// The share of the blocks along the picture's border that differ, `[0, 1]`.
-    pub border: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    border: f64,
     /// First and last column, and first and last row, between which most of what differs lies, in pixels of the
     /// expected picture.
-    pub columns: [usize; 2],
-    pub rows: [usize; 2],
+    columns: [usize; 2],
+    rows: [usize; 2],
+    /// True if what differs surrounds what fits.
+    surrounding: bool,
 }
 
-impl Partial {
-    /// True if what differs surrounds what fits.
-    pub fn is_surrounding(&self) -> bool {
-        self.border >= WIDELY
+impl Kind for Partial {
+    const NAME: &'static str = "partial";
+    const WEIGHT: Weight = Weight::AnotherPicture;
+
+    fn sentence(&self) -> String {
+        let fits = 100.0 * self.fits;
+        if self.surrounding {
+            return format!(
+                "The shapes stand where they should ({fits:.0} % of what has structure fits in place); what differs is \
+                 mostly the background ({:.0} % of the picture's border differs). Is the environment read by the right \
+                 lookup? `skycube grade` finds out.",
+                100.0 * self.border
+            );
+        }
+        let ([left, right], [top, bottom]) = (self.columns, self.rows);
+        format!(
+            "{fits:.0} % of what has structure fits in place; what differs is mostly in columns {left} to {right}, rows \
+             {top} to {bottom}. Check what stands there; if everything does, check the camera."
+        )
     }
 }
 
-/// The part that fits, if one does; of pictures of display codes, as they lie.
-pub(super) fn found(mine_codes: &Raster, expected_codes: &Raster) -> Option<Partial> {
-    let size = structure::thumbnail_size(expected_codes, DECIDING_SIDE);
+/// The finding if a part fits in its place.
+pub(super) fn found(apart: &Apart) -> Option<Finding> {
+    let size = structure::thumbnail_size(apart.expected, DECIDING_SIDE);
     let small = |raster: &Raster| structure::thumbnail(raster, ImageOperation::None, size);
-    let lumas = [small(mine_codes), small(expected_codes)].map(|raster| Plane::of_raster(&raster, luminance));
+    let lumas = [small(apart.mine), small(apart.expected)].map(|raster| Plane::of_raster(&raster, luminance));
     let details = [detail(&lumas[0]), detail(&lumas[1])];
     let share = |blocks: &[Agreement]| {
         let count = |kind: Agreement| blocks.iter().filter(|&&block| block == kind).count();
@@ -61,8 +86,9 @@ pub(super) fn found(mine_codes: &Raster, expected_codes: &Raster) -> Option<Part
         return None;
     }
     let differs = differing(&lumas, &in_place);
-    let [columns, rows] = extent(&differs, size, [expected_codes.width(), expected_codes.height()]);
-    Some(Partial { fits, by_chance, border: border(&differs, size), columns, rows })
+    let [columns, rows] = extent(&differs, size, [apart.expected.width(), apart.expected.height()]);
+    let border = border(&differs, size);
+    Some(Partial { fits, by_chance, border, columns, rows, surrounding: border >= WIDELY }.into())
 }
 
 /// What a block comes to.

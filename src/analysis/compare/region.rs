@@ -1,9 +1,13 @@
 //! Where two pictures differ most.
 
+use serde::Serialize;
+
+use super::finding::{Finding, Kind};
+use crate::digits::digits;
 use crate::metrics::Plane;
 
 /// A box of pixels, and how it differs.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Region {
     /// Left column and top row, from the top left corner of the expected picture.
     pub x: usize,
@@ -11,10 +15,13 @@ pub struct Region {
     pub width: usize,
     pub height: usize,
     /// Mean FLIP inside.
+    #[serde(serialize_with = "digits::<4, _>")]
     pub flip: f64,
     /// Mean FLIP outside.
+    #[serde(serialize_with = "digits::<4, _>")]
     pub flip_outside: f64,
     /// Share of all FLIP that lies inside, `[0, 1]`.
+    #[serde(serialize_with = "digits::<4, _>")]
     pub share: f64,
 }
 
@@ -22,10 +29,49 @@ pub struct Region {
 const CELL: usize = 8;
 /// Cells this bright, relative to the brightest, belong to its region.
 const BELONGS: f64 = 0.4;
-/// The same where the box of those would hide that its middle is plainly other.
+/// The same where the box of those would hide that its middle is clearly different.
 const BELONGS_TIGHTLY: f64 = 0.75;
-/// Mean FLIP of a region that is plainly other.
+/// Mean FLIP of a region that is clearly different.
 pub(super) const PLAIN: f64 = 0.3;
+/// A region stands out if it holds this share of the difference, and differs this much.
+const STANDS_OUT: (f64, f64) = (0.4, 0.15);
+/// A region that holds this share of the difference is where the pictures differ.
+const MOST: f64 = 0.4;
+
+/// What is left is mostly in one place.
+#[derive(Serialize)]
+#[serde(transparent)]
+struct OnePlace {
+    region: Region,
+}
+
+impl Kind for OnePlace {
+    const NAME: &'static str = "region";
+
+    fn sentence(&self) -> String {
+        let Region { x, y, width, height, flip, flip_outside, share } = self.region;
+        let place = format!("columns {x} to {}, rows {y} to {}", x + width - 1, y + height - 1);
+        let percent = 100.0 * share;
+        if share >= MOST {
+            return format!("It differs in one place: {place} hold {percent:.0} % of the difference.");
+        }
+        format!(
+            "It is clearly different in {place}: FLIP {flip:.2} there, {flip_outside:.3} elsewhere ({percent:.0} % of the \
+             difference)."
+        )
+    }
+}
+
+pub(super) fn finding(region: Region) -> Finding {
+    OnePlace { region }.into()
+}
+
+impl Region {
+    pub(super) fn stands_out(&self) -> bool {
+        let (share, flip) = STANDS_OUT;
+        self.share >= share && self.flip >= flip && self.flip >= 4.0 * self.flip_outside
+    }
+}
 
 /// The worst region: the cells around the worst one that differ nearly as much and hang together, as a box.
 pub(super) fn worst(map: &Plane) -> Region {

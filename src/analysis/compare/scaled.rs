@@ -9,8 +9,12 @@
 //!
 //! A wrong factor width/height scales across or down only, about the same centre.
 
-use super::Finding;
-use super::structure::{self, DECIDING_SIDE, Match};
+use serde::Serialize;
+
+use super::finding::{Finding, Kind, Weight};
+use super::structure::{self, DECIDING_SIDE};
+use super::subject::Apart;
+use crate::digits::digits;
 use crate::envmap::ImageOperation;
 use crate::math::Vec3;
 use crate::picture::Raster;
@@ -26,9 +30,80 @@ const DECISIVE: (f64, f64) = (0.7, 0.15);
 /// By how much more width or height alone must correlate than both together.
 const DECISIVE_EXTENT: f64 = 0.03;
 
+/// Mine shows the same things `factor` times as large: the camera has another field of view.
+#[derive(Serialize)]
+struct Scaled {
+    #[serde(serialize_with = "digits::<3, _>")]
+    factor: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    correlation: f64,
+}
+
+/// Mine shows the same things `factor` times as wide (`horizontally`) or as high: the factor width/height is wrong.
+#[derive(Serialize)]
+struct Stretched {
+    horizontally: bool,
+    #[serde(serialize_with = "digits::<3, _>")]
+    factor: f64,
+    /// Width over height of the expected picture.
+    #[serde(serialize_with = "digits::<3, _>")]
+    aspect: f64,
+    #[serde(serialize_with = "digits::<3, _>")]
+    correlation: f64,
+}
+
+impl Kind for Scaled {
+    const NAME: &'static str = "scaled";
+    const WEIGHT: Weight = Weight::AnotherPicture;
+
+    fn sentence(&self) -> String {
+        let Self { factor, correlation } = self;
+        let view = if *factor > 1.0 { "narrower" } else { "wider" };
+        format!(
+            "Your picture shows the same things {factor:.2} times as large: your field of view is {view} (scaled back about \
+             the centre, it correlates with the expected one by {correlation:.2}). Multiply the tangent of half your angle by \
+             {factor:.2}, and check whether the angle is meant across the width or the height, in degrees or radians."
+        )
+    }
+}
+
+impl Kind for Stretched {
+    const NAME: &'static str = "stretched";
+    const WEIGHT: Weight = Weight::AnotherPicture;
+
+    fn sentence(&self) -> String {
+        let Self { horizontally, factor, aspect, correlation } = *self;
+        let is = |other: f64| (factor / other - 1.0).abs() < 0.03;
+        let way = if horizontally { "horizontally" } else { "vertically" };
+        let how = if factor > 1.0 { format!("stretched {way} by") } else { format!("squeezed {way}, by") };
+        let (ratio, cause) = match horizontally {
+            true if is(aspect) => (" = width/height", "the factor width/height of the half width is forgotten"),
+            true if is(1.0 / aspect) => {
+                (" = height/width", "the factor width/height of the half width is applied twice")
+            }
+            true if is(aspect * aspect) => {
+                (" = (width/height)²", "the half width has the factor height/width in place of width/height")
+            }
+            false if is(aspect) => {
+                (" = width/height", "the half height is divided by width/height, as it should not be")
+            }
+            false if is(1.0 / aspect) => (
+                " = height/width",
+                "the half height has the factor width/height, which belongs to the half width alone",
+            ),
+            _ => ("", "check the factor width/height, and which of the two halves it belongs to"),
+        };
+        format!(
+            "Your picture shows the same things {how} {factor:.2}{ratio}: {cause} (scaled back about the centre, it \
+             correlates with the expected one by {correlation:.2}). half_height = tan(angle / 2), half_width = half_height * \
+             width / height."
+        )
+    }
+}
+
 /// What is scaled.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Extent {
+enum Extent {
     Both,
     Width,
     Height,
@@ -36,45 +111,42 @@ pub(super) enum Extent {
 
 /// A factor, and the correlation under it.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Scale {
-    pub extent: Extent,
-    pub factor: f64,
-    pub correlation: f64,
+struct Scale {
+    extent: Extent,
+    factor: f64,
+    correlation: f64,
 }
 
-impl Scale {
-    /// The finding in pictures of this width to height.
-    pub fn finding(self, aspect: f64) -> Finding {
-        let Self { extent, factor, correlation } = self;
-        match extent {
-            Extent::Both => Finding::Scaled { factor, correlation },
-            _ => Finding::Stretched { horizontally: extent == Extent::Width, factor, aspect, correlation },
-        }
-    }
+/// The finding if a factor explains the difference. Width or height alone are tried of pictures of the same proportions.
+pub(super) fn found(apart: &Apart) -> Option<Finding> {
+    let Scale { extent, factor, correlation } = best_scale(apart)?;
+    let moved = !(1.0 / 1.03..1.03).contains(&factor);
+    let decisive = correlation >= DECISIVE.0 && correlation >= apart.as_it_is + DECISIVE.1;
+    let aspect = apart.expected.width() as f64 / apart.expected.height() as f64;
+    (moved && decisive).then(|| match extent {
+        Extent::Both => Scaled { factor, correlation }.into(),
+        _ => Stretched { horizontally: extent == Extent::Width, factor, aspect, correlation }.into(),
+    })
 }
 
-/// The factor by which mine shows the same things larger, if that explains the difference. Width or height alone are
-/// tried of pictures of the same proportions.
-pub(super) fn found(mine_codes: &Raster, expected_codes: &Raster, as_it_is: &Match) -> Option<Scale> {
-    let size = structure::thumbnail_size(expected_codes, DECIDING_SIDE);
+/// The factor by which mine shows the same things larger.
+fn best_scale(apart: &Apart) -> Option<Scale> {
+    let size = structure::thumbnail_size(apart.expected, DECIDING_SIDE);
     let small = |raster: &Raster| structure::thumbnail(raster, ImageOperation::None, size);
-    let (mine, expected) = (small(mine_codes), small(expected_codes));
-    let size = structure::thumbnail_size(expected_codes, SIDE);
+    let (mine, expected) = (small(apart.mine), small(apart.expected));
+    let size = structure::thumbnail_size(apart.expected, SIDE);
     let tried = |extent: Extent, factor: f64| Scale {
         extent,
         factor,
         correlation: correlation(&mine, &expected, factors(extent, factor), size),
     };
     let sides = |raster: &Raster| [raster.width(), raster.height()];
-    let alike = structure::same_proportions(sides(mine_codes), sides(expected_codes));
+    let alike = structure::same_proportions(sides(apart.mine), sides(apart.expected));
     let extents = if alike { &[Extent::Both, Extent::Width, Extent::Height][..] } else { &[Extent::Both] };
-    let best = extents
+    extents
         .iter()
         .map(|&extent| best_factor(|factor| tried(extent, factor)))
-        .reduce(|best, other| if other.correlation > best.correlation + DECISIVE_EXTENT { other } else { best })?;
-    let moved = !(1.0 / 1.03..1.03).contains(&best.factor);
-    let decisive = best.correlation >= DECISIVE.0 && best.correlation >= as_it_is.correlation + DECISIVE.1;
-    (moved && decisive).then_some(best)
+        .reduce(|best, other| if other.correlation > best.correlation + DECISIVE_EXTENT { other } else { best })
 }
 
 /// The factor under which the pictures correlate best: coarsely, and then finely around it.

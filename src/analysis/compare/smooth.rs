@@ -1,4 +1,4 @@
-//! Which way a picture without detail is laid: a gradient, a furnace, directions as colours. Correlation of detail would
+//! The orientation of a picture without detail: a gradient, a furnace, directions as colours. Correlation of detail would
 //! see nothing there but what a lossy file left, so the colours themselves are compared, under every orientation with the
 //! tone that explains it best.
 

@@ -1,9 +1,9 @@
-//! Which way a picture is laid, and about how far it is shifted: from what it shows, whatever its tones.
+//! The orientation of a picture, and about how far it is shifted: from what it shows, whatever its tones.
 //!
 //! Both pictures are made small, their lumas freed from slow changes, and compared by normalised cross-correlation under
 //! all orientations and shifts. Correlation does not see exposure and hardly sees gamma, so this comes first.
 
-use super::laid::{OPERATIONS, exchanges_sides, laid};
+use super::operations::{OPERATIONS, exchanges_sides, placed};
 use super::resized::resized;
 use super::tone::decoded;
 use super::tone_search::Pair;
@@ -24,7 +24,7 @@ const SMOOTH: f64 = 0.006;
 /// The best match under one orientation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Match {
-    /// The operation that lays mine as the expected one.
+    /// The operation that gives mine the orientation of the expected one.
     pub operation: ImageOperation,
     /// Normalised cross-correlation, `[-1, 1]`; 0 if one of them shows nothing.
     pub correlation: f64,
@@ -76,7 +76,7 @@ pub(super) fn is_smooth(mine: &Raster, expected: &Raster) -> bool {
     deviation(mine).min(deviation(expected)) < SMOOTH
 }
 
-/// Pixels of both made small, their long side at most `side`; mine laid and roughly shifted back.
+/// Pixels of both made small, their long side at most `side`; mine in the orientation of the expected one and roughly shifted back.
 pub(super) fn pairs(mine_codes: &Raster, expected_codes: &Raster, matched: &Match, side: usize) -> Vec<Pair> {
     let size = thumbnail_size(expected_codes, side);
     let mine = thumbnail(mine_codes, matched.operation, size);
@@ -125,12 +125,12 @@ pub(super) fn thumbnail_size(raster: &Raster, side: usize) -> [usize; 2] {
     [scaled(raster.width()), scaled(raster.height())]
 }
 
-/// A picture laid and made small.
+/// A picture after an operation and made small.
 pub(super) fn thumbnail(raster: &Raster, operation: ImageOperation, [width, height]: [usize; 2]) -> Raster {
     if exchanges_sides(operation) {
-        return laid(&resized(raster, height, width), operation);
+        return placed(&resized(raster, height, width), operation);
     }
-    laid(&resized(raster, width, height), operation)
+    placed(&resized(raster, width, height), operation)
 }
 
 /// The luma without slow changes and without the finest noise.

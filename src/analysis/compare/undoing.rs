@@ -1,9 +1,10 @@
 //! Everything that was found, undone together or in part.
 
-use super::laid::laid;
+use super::finding::{Evidence, Finding};
+use super::operations::placed;
 use super::resized::resized;
 use super::shift;
-use super::tone::{Curve, Tone};
+use super::tone::Tone;
 use crate::envmap::ImageOperation;
 use crate::metrics::{Plane, display, gaussian};
 use crate::picture::Raster;
@@ -17,14 +18,14 @@ pub(super) struct Undoing {
     pub shift: Option<[f64; 2]>,
 }
 
-/// One of the things that are undone.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Part {
-    Orientation,
-    Channels,
-    Curve,
-    Exposure,
-    Shift,
+/// One of the mistakes that can be undone.
+#[derive(Clone, Copy)]
+pub(super) struct Part {
+    /// The undoing but for this mistake.
+    pub without: fn(Undoing) -> Undoing,
+    pub finding: fn(&Undoing, Evidence) -> Finding,
+    /// True if blurred pictures are compared to judge what it explains.
+    pub is_judged_blurred: fn(&Undoing) -> bool,
 }
 
 /// Mine and the expected picture after an undoing, cut to what they share.
@@ -38,23 +39,9 @@ pub(super) struct Aligned {
 impl Undoing {
     pub const NOTHING: Self = Self { operation: ImageOperation::None, tone: Tone::AS_EXPECTED, shift: None };
 
-    pub const PARTS: [Part; 5] = [Part::Orientation, Part::Channels, Part::Curve, Part::Exposure, Part::Shift];
-
-    /// This undoing but for one part.
-    pub fn without(mut self, part: Part) -> Self {
-        match part {
-            Part::Orientation => self.operation = ImageOperation::None,
-            Part::Channels => self.tone.red_blue_swapped = false,
-            Part::Curve => self.tone.curve = Curve::AsExpected,
-            Part::Exposure => self.tone.exposure = 1.0,
-            Part::Shift => self.shift = None,
-        }
-        self
-    }
-
     /// True if the part is among what is undone.
-    pub fn has(&self, part: Part) -> bool {
-        *self != self.without(part)
+    pub fn has(&self, part: &Part) -> bool {
+        *self != (part.without)(*self)
     }
 
     /// True if it shifts by a part of a pixel, so that mine is interpolated.
@@ -62,9 +49,9 @@ impl Undoing {
         self.shift.is_some_and(|shift| shift.iter().any(|along| along.fract() != 0.0))
     }
 
-    /// Mine laid, in the size of the expected picture and with its tone undone, but not shifted.
+    /// Mine in the orientation and the size of the expected picture and with its tone undone, but not shifted.
     pub fn unshifted(&self, mine: &Raster, expected: &Raster) -> Raster {
-        let turned = if self.operation == ImageOperation::None { mine.clone() } else { laid(mine, self.operation) };
+        let turned = if self.operation == ImageOperation::None { mine.clone() } else { placed(mine, self.operation) };
         let mut sized = resized(&turned, expected.width(), expected.height());
         if self.tone != Tone::AS_EXPECTED {
             sized.pixels_mut().par_iter_mut().for_each(|pixel| *pixel = self.tone.undone(*pixel));

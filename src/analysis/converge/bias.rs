@@ -20,8 +20,10 @@ use crate::picture::Raster;
 /// found by any of the renderings, looks like bias.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Bias {
+    #[serde(rename = "bias_squared")]
     pub squared: f64,
     /// Standard error of `squared`.
+    #[serde(rename = "bias_squared_error")]
     pub squared_error: f64,
 }
 

@@ -4,7 +4,6 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use super::configuration::Configuration;
-use super::reference::Reference;
 use crate::error::{Error, Result};
 use crate::picture::{self, Extras, Raster, WriteOptions};
 use crate::scene::Scene;
@@ -41,16 +40,13 @@ pub(super) fn read(folder: &Path, key: &str, size: [usize; 2]) -> Option<[Raster
     Some([half("-first-half")?, half("-second-half")?])
 }
 
-/// Writes the halves, and their mean for those who want to look at it.
-pub(super) fn write(folder: &Path, reference: &Reference) -> Result<()> {
+/// Writes the halves, and their mean for those who want to look at it, with a remark.
+pub(super) fn write(folder: &Path, key: &str, halves: &[Raster; 2], mean: &Raster, remark: &str) -> Result<()> {
     picture::make_folder(folder)?;
-    let facts = &reference.facts;
-    let remark =
-        format!("{} samples a pixel, standard error {:.3e} (root mean square)", facts.samples, facts.errors.rmse);
-    let [first, second] = &reference.halves;
-    for (raster, name) in [(first, "-first-half"), (second, "-second-half"), (&reference.mean, "")] {
-        let extras = Extras { remark: name.is_empty().then_some(remark.as_str()), ..Extras::default() };
-        picture::write_with(raster, &file(folder, &facts.key, name), &WriteOptions::default(), extras)?;
+    let [first, second] = halves;
+    for (raster, name) in [(first, "-first-half"), (second, "-second-half"), (mean, "")] {
+        let extras = Extras { remark: name.is_empty().then_some(remark), ..Extras::default() };
+        picture::write_with(raster, &file(folder, key, name), &WriteOptions::default(), extras)?;
     }
     Ok(())
 }

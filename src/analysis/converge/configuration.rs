@@ -1,8 +1,8 @@
 //! What of a scene's settings may be compared.
 
-use clap::ValueEnum;
 use serde::{Serialize, Serializer};
 
+use crate::choice::name_of;
 use crate::envmap::CubeFilter;
 use crate::sampling::{PixelFilter, SamplerKind};
 use crate::scene::{Caustics, IntegratorKind, Scene, Strategy};
@@ -52,22 +52,17 @@ impl Configuration {
     /// The values under their names, in the order of the fields.
     pub fn named(&self) -> [(&'static str, String); 7] {
         [
-            ("integrator", name(self.integrator)),
+            ("integrator", name_of(self.integrator)),
             ("depth", self.depth.to_string()),
-            ("strategy", name(self.strategy)),
-            ("caustics", name(self.caustics)),
-            ("sampler", name(self.sampler)),
-            ("pixel_filter", name(self.pixel_filter)),
-            ("environment_filter", self.environment_filter.map_or_else(|| "none".to_owned(), name)),
+            ("strategy", name_of(self.strategy)),
+            ("caustics", name_of(self.caustics)),
+            ("sampler", name_of(self.sampler)),
+            ("pixel_filter", name_of(self.pixel_filter)),
+            ("environment_filter", self.environment_filter.map_or_else(|| "none".to_owned(), name_of)),
         ]
     }
 }
 
-/// The name of a value on the command line.
-pub(super) fn name(value: impl ValueEnum) -> String {
-    value.to_possible_value().map_or_else(String::new, |value| value.get_name().to_owned())
-}
-
 fn none_as_word<S: Serializer>(filter: &Option<CubeFilter>, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(&filter.map_or_else(|| "none".to_owned(), name))
+    serializer.serialize_str(&filter.map_or_else(|| "none".to_owned(), name_of))
 }

@@ -2,14 +2,17 @@
 
 use std::time::{Duration, Instant};
 
+use serde::Serialize;
+
 use super::bias::Bias;
-use super::errors::Errors;
+use super::configuration::Configuration;
+use super::errors::{Errors, mean_radiance};
 use super::fit::slope;
+use super::protocol::Protocol;
 use super::reference::Reference;
 use super::schedule::Schedule;
 use super::variation::Variant;
 use super::watch::{Watch, Work};
-use super::{Configuration, Protocol};
 use crate::error::Result;
 use crate::integrators::RayCounts;
 use crate::picture::Raster;
@@ -17,14 +20,16 @@ use crate::render::{Progress, Renderer, Silent};
 use crate::scene::{Plan, Scene};
 
 /// A rendering after so many samples a pixel, in the mean over the seeds.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Step {
     pub samples: u32,
     /// From the scene in memory to the picture: tables that a plan asks for included, decoding of pictures not.
     pub seconds: f64,
     /// Rays traced.
     pub rays: u64,
+    #[serde(flatten)]
     pub errors: Errors,
+    #[serde(flatten)]
     pub bias: Bias,
     /// Mean over all pixels and channels of the pictures of all seeds.
     pub mean_radiance: f64,
@@ -40,11 +45,14 @@ impl Step {
 
 /// Slopes of the root mean square error in a log-log plot: -0.5 for independent samples, steeper for better ones, 0 for
 /// what does not converge.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Fit {
+    #[serde(rename = "slope_against_samples")]
     pub against_samples: Option<f64>,
+    #[serde(rename = "slope_against_seconds")]
     pub against_seconds: Option<f64>,
     /// Steps it was fitted to: those whose error is at least twice that of the reference, which hides smaller ones.
+    #[serde(rename = "steps_fitted")]
     pub steps: usize,
 }
 
@@ -166,10 +174,4 @@ fn step(samples: u32, runs: &[Run], reference: &Reference) -> Step {
         bias: Bias::estimate(&pictures, &reference.halves),
         mean_radiance: pictures.iter().map(mean_radiance).sum::<f64>() / pictures.len() as f64,
     }
-}
-
-/// Mean over all pixels and channels.
-pub(super) fn mean_radiance(picture: &Raster) -> f64 {
-    let sum: f64 = picture.pixels().iter().map(|colour| colour.as_dvec3().element_sum()).sum();
-    sum / (3 * picture.pixels().len()) as f64
 }

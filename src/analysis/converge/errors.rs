@@ -42,3 +42,9 @@ impl Errors {
         }
     }
 }
+
+/// Mean over all pixels and channels.
+pub(super) fn mean_radiance(picture: &Raster) -> f64 {
+    let sum: f64 = picture.pixels().iter().map(|colour| colour.as_dvec3().element_sum()).sum();
+    sum / (3 * picture.pixels().len()) as f64
+}

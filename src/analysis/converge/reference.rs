@@ -2,12 +2,12 @@
 
 use serde::Serialize;
 
+use super::cache;
 use super::configuration::Configuration;
-use super::curve::mean_radiance;
-use super::errors::Errors;
+use super::errors::{Errors, mean_radiance};
+use super::protocol::Protocol;
 use super::variation::Variant;
 use super::watch::{Watch, Work};
-use super::{Protocol, cache};
 use crate::envmap::CubeFilter;
 use crate::error::{Error, Result};
 use crate::picture::Raster;
@@ -39,6 +39,14 @@ pub struct ReferenceFacts {
     pub key: String,
     /// True if it was not rendered now.
     pub cached: bool,
+}
+
+impl ReferenceFacts {
+    /// What a picture of it says of itself.
+    fn remark(&self) -> String {
+        let Self { samples, errors, .. } = self;
+        format!("{samples} samples a pixel, standard error {:.3e} (root mean square)", errors.rmse)
+    }
 }
 
 /// The seeds of the halves, counted from the scene's: far from those of the renderings, which follow the scene's.
@@ -111,7 +119,7 @@ impl Reference {
         let halves = render_halves(scene, samples / 2, watch, what)?;
         let reference = Self::of_halves(halves, aim, samples, key, false);
         if let Some(folder) = protocol.cache {
-            cache::write(folder, &reference)?;
+            cache::write(folder, &reference.facts.key, &reference.halves, &reference.mean, &reference.facts.remark())?;
         }
         Ok(reference)
     }

@@ -4,7 +4,8 @@ use std::str::FromStr;
 
 use clap::ValueEnum;
 
-use super::configuration::{Configuration, name};
+use super::configuration::Configuration;
+use crate::choice::{name_of, names_of};
 use crate::envmap::CubeFilter;
 use crate::error::{Error, Result};
 use crate::sampling::{PixelFilter, SamplerKind};
@@ -102,20 +103,19 @@ impl Setting {
     /// The value as on the command line.
     fn value(self) -> String {
         match self {
-            Setting::Integrator(value) => name(value),
+            Setting::Integrator(value) => name_of(value),
             Setting::Depth(value) => value.to_string(),
-            Setting::Strategy(value) => name(value),
-            Setting::Caustics(value) => name(value),
-            Setting::Sampler(value) => name(value),
-            Setting::PixelFilter(value) => name(value),
-            Setting::EnvironmentFilter(value) => name(value),
+            Setting::Strategy(value) => name_of(value),
+            Setting::Caustics(value) => name_of(value),
+            Setting::Sampler(value) => name_of(value),
+            Setting::PixelFilter(value) => name_of(value),
+            Setting::EnvironmentFilter(value) => name_of(value),
         }
     }
 }
 
 fn value_of<T: ValueEnum>(text: &str) -> std::result::Result<T, String> {
-    let names: Vec<String> = T::value_variants().iter().cloned().map(name).collect();
-    T::from_str(text, false).map_err(|_| format!("found \"{text}\", expected one of {}", names.join(", ")))
+    T::from_str(text, false).map_err(|_| format!("found \"{text}\", expected one of {}", names_of::<T>().join(", ")))
 }
 
 impl FromStr for Variation {
@@ -170,7 +170,7 @@ pub fn variants(base: &Configuration, variations: &[Variation]) -> Result<Vec<Va
     let mut variants = vec![Variant { label: String::new(), configuration: *base }];
     for (index, variation) in variations.iter().enumerate() {
         if variations[..index].iter().any(|other| other.aspect == variation.aspect) {
-            return Err(Error::new(format!("{} is varied twice", name(variation.aspect)))
+            return Err(Error::new(format!("{} is varied twice", name_of(variation.aspect)))
                 .help("give all its values in one list, --vary SETTING=VALUE,VALUE"));
         }
         let combined = |variant: &Variant| -> Vec<Variant> {
@@ -189,7 +189,7 @@ pub fn variants(base: &Configuration, variations: &[Variation]) -> Result<Vec<Va
 impl Variant {
     fn with(&self, aspect: Aspect, setting: Setting) -> Self {
         let gap = if self.label.is_empty() { "" } else { ", " };
-        let label = format!("{}{gap}{}={}", self.label, name(aspect), setting.value());
+        let label = format!("{}{gap}{}={}", self.label, name_of(aspect), setting.value());
         let mut configuration = self.configuration;
         setting.apply(&mut configuration);
         Self { label, configuration }
@@ -201,7 +201,7 @@ fn check_sense(base: &Configuration, variations: &[Variation], variants: &[Varia
     let any =
         |kinds: &[IntegratorKind]| variants.iter().any(|variant| kinds.contains(&variant.configuration.integrator));
     for variation in variations {
-        let aspect = name(variation.aspect);
+        let aspect = name_of(variation.aspect);
         match variation.aspect {
             Aspect::Strategy | Aspect::Caustics if !any(&[IntegratorKind::Path]) => {
                 return Err(Error::new(format!(

@@ -3,7 +3,6 @@
 use super::explanation::{Evidence, FaceGrade, wrong};
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
 use crate::envmap::{Face, Orientation, Preset};
-use crate::validate::convention;
 
 /// Another way to explain the same pictures.
 #[derive(Debug, Clone, PartialEq)]
@@ -58,7 +57,7 @@ impl Evidence<'_> {
         exchanged.map(Alternative::Exchanged)
     }
 
-    /// A camera that leaves no face wrong; else one that lays all six shots alike, is right about a face, and leaves no
+    /// A camera that leaves no face wrong; else one that gives all six shots one orientation, is right about a face, and leaves no
     /// more faces wrong than a right camera does. `axes` are exchanged only if nothing simpler is known.
     fn other_camera(&self, wrong_faces: usize, axes: bool) -> Option<Alternative> {
         let perfect = self.best_camera().filter(|(camera, left)| *left == 0 && (axes || !camera.exchanges_axes()));
@@ -66,7 +65,7 @@ impl Evidence<'_> {
             return Some(Alternative::Camera(camera));
         }
         let preset_camera = self.preset().map(|reading| reading.camera);
-        let readings = CameraFault::laid_alike().skip(1).map(|camera| (camera, self.under(camera)));
+        let readings = CameraFault::oriented_alike().skip(1).map(|camera| (camera, self.under(camera)));
         let plausible = readings.filter(|(_, grades)| {
             wrong(grades) <= wrong_faces && grades.iter().any(|grade| grade.is_decided() && !grade.is_wrong())
         });
@@ -81,7 +80,7 @@ impl Evidence<'_> {
             return None;
         }
         let reading = |camera: CameraFault| PresetReading { camera, presets: self.presets_shown(&self.under(camera)) };
-        CameraFault::laid_alike().map(reading).find(|reading| !reading.presets.is_empty())
+        CameraFault::oriented_alike().map(reading).find(|reading| !reading.presets.is_empty())
     }
 
     fn presets_shown(&self, grades: &[FaceGrade; 6]) -> Vec<Preset> {
@@ -90,10 +89,11 @@ impl Evidence<'_> {
             return Vec::new();
         }
         let shown = |preset: &Preset| {
-            let table = convention::table(self.lookup, *preset);
+            let wanted = preset.lookup();
             grades.iter().all(|grade| {
-                let image = table.images[grade.face.index()];
-                grade.possible.contains(&Placement { image, orientation: table.orientation(grade.face) })
+                let row = wanted.row_counted_from(grade.face, self.lookup.v_origin());
+                let orientation = Orientation::between(self.lookup.row(grade.face), row);
+                grade.possible.contains(&Placement { image: row.image, orientation })
             })
         };
         Preset::ALL.into_iter().filter(shown).collect()

@@ -1,4 +1,4 @@
-//! Which images, laid how, a shot may show: each of 6 x 8 brought nearest to it by a curve, and the best against the rest.
+//! Which images, in which orientation, a shot may show: each of 6 x 8 brought nearest to it by a curve, and the best against the rest.
 //!
 //! For the best prediction p of the shot s and another one q, with d = p - q and the noise n of the best fit around each
 //! cell, the likelihood ratio is `D = sum((s - q)^2 - (s - p)^2)`. If p is right, D is `sum(d^2)` with the deviation

@@ -1,4 +1,4 @@
-//! What a shot looks like that shows no image of the map, however it is laid.
+//! What a shot looks like that shows no image of the map, in any orientation.
 
 use super::thumbnail::{Codes, Middle};
 
@@ -11,7 +11,8 @@ const SAME: f32 = 0.004;
 const PART: f64 = 0.2;
 
 /// What the shot looks like.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "snake_case")]
 pub enum Misfit {
     Black,
     /// A part is black, the rest is not.

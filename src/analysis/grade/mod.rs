@@ -2,7 +2,7 @@
 //!
 //! 1. [`thumbnail`] brings shots and images to one small size, [`tone`] takes out gamma and exposure.
 //! 2. [`field_of_view`] finds how wide the camera saw, or that the code forgets to divide.
-//! 3. [`matching`] tries six images laid eight ways for each shot, and says which the pixels exclude.
+//! 3. [`matching`] tries six images in eight orientations for each shot, and says which the pixels exclude.
 //! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`alternative`] what else explains the same shots,
 //!    [`misfit`] what a shot looks like that shows no image.
 

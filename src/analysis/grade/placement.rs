@@ -1,4 +1,4 @@
-//! What a shot may show: an image, laid one of eight ways; and what a camera and a lookup make of it.
+//! What a shot may show: an image in one of eight orientations; and what a camera and a lookup make of it.
 //!
 //! ```text
 //!      t = 1  +-------+       a shot: s grows to the camera's right, t upwards, both from 0 to 1
@@ -48,7 +48,7 @@ pub(super) fn source_cells(on_screen: Orientation, v_origin: VOrigin, side: usiz
     cells
 }
 
-/// Where a camera that is not as it should be takes its shots: along other axes, laid another way on the screen.
+/// Where a camera that is not as it should be takes its shots: along other axes, in another orientation on the screen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct CameraFault {
     /// What it takes for +x, +y and +z.
@@ -62,7 +62,7 @@ impl CameraFault {
     pub const NONE: Self =
         Self { axes: [SignedAxis::POS_X, SignedAxis::POS_Y, SignedAxis::POS_Z], orientation: Orientation::IDENTITY };
 
-    /// Every camera: pictures laid otherwise first, then axes exchanged, those that keep the handedness first.
+    /// Every camera: pictures in another orientation first, then axes exchanged, those that keep the handedness first.
     pub(super) fn all() -> Vec<Self> {
         let mut axes: Vec<[SignedAxis; 3]> = signed_permutations();
         axes.sort_by_key(|axes| (*axes != Self::NONE.axes, !keeps_handedness(axes)));
@@ -71,8 +71,8 @@ impl CameraFault {
         axes.into_iter().flat_map(cameras).collect()
     }
 
-    /// The cameras that look along the right axes and lay all six pictures alike, the right one first.
-    pub(super) fn laid_alike() -> impl Iterator<Item = Self> {
+    /// The cameras that look along the right axes and give all six pictures one orientation, the right one first.
+    pub(super) fn oriented_alike() -> impl Iterator<Item = Self> {
         Orientation::ALL.into_iter().map(|orientation| Self { orientation, ..Self::NONE })
     }
 

@@ -176,6 +176,12 @@ pub(crate) fn gaussian(deviation: f64, radius: usize) -> Vec<f32> {
     weights.iter().map(|weight| (weight / sum) as f32).collect()
 }
 
+/// Panics unless both are of the same size.
+pub(crate) fn check_sizes(picture: &Raster, reference: &Raster) {
+    let size = |raster: &Raster| (raster.width(), raster.height());
+    assert_eq!(size(picture), size(reference), "pictures of different size");
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,6 +1,6 @@
 //! Peak signal to noise ratio.
 
-use super::check_sizes;
+use super::plane::check_sizes;
 use crate::math::functions::decimal_logarithm;
 use crate::metrics::displayed;
 use crate::picture::Raster;

@@ -1,6 +1,6 @@
 //! Errors of radiance.
 
-use super::check_sizes;
+use super::plane::check_sizes;
 use crate::math::Vec3;
 use crate::picture::Raster;
 

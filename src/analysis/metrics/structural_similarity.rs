@@ -1,6 +1,6 @@
 //! Structural similarity (Wang, Bovik, Sheikh, Simoncelli: Image Quality Assessment, 2004).
 
-use super::check_sizes;
+use super::plane::check_sizes;
 use crate::metrics::{Plane, gaussian};
 use crate::picture::Raster;
 

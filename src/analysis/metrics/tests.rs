@@ -5,6 +5,7 @@ use proptest::prelude::*;
 use super::*;
 use crate::math::Vec3;
 use crate::metrics::display;
+use crate::picture::Raster;
 
 fn textured(width: usize, height: usize, seed: usize) -> Raster {
     Raster::from_function(width, height, |x, y| {

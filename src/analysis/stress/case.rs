@@ -1,10 +1,15 @@
 //! A case: one thing swept over decades, and how far it stays accurate.
 
+use clap::ValueEnum;
+use serde::Serialize;
+
 use super::effort::Effort;
-use super::limits::Range;
+use crate::choice::name_of;
+use crate::digits::significant;
+use crate::limits::Range;
 
 /// What is to be swept.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize)]
 pub struct Subject {
     pub group: Group,
     /// One word, for `--case`.
@@ -19,27 +24,30 @@ pub struct Subject {
     pub bound: f64,
     /// Where the bound must be kept. The sweep goes on beyond, to show where it ends.
     pub promised: Range,
+    #[serde(skip)]
     pub sweep: fn(Effort) -> Vec<Measurement>,
 }
 
 /// What a case is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Group {
     Lookup,
     Shapes,
     SelfIntersection,
     Optics,
+    #[value(name = "lobes and light")]
     Lobes,
     Sums,
 }
 
 /// The worst error at one magnitude.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Measurement {
     /// What was swept, at this step; more than 0.
     pub magnitude: f64,
     /// In units of the case; infinite where no number came out.
+    #[serde(serialize_with = "significant::<3, _>")]
     pub error: f64,
     /// The input that made the error.
     pub input: String,
@@ -54,7 +62,7 @@ pub struct Case {
 }
 
 /// How a case ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Within the bound wherever it was measured.
@@ -66,19 +74,9 @@ pub enum Verdict {
 }
 
 impl Group {
-    pub const ALL: [Self; 6] =
-        [Self::Lookup, Self::Shapes, Self::SelfIntersection, Self::Optics, Self::Lobes, Self::Sums];
-
     /// The heading above its cases.
-    pub fn title(self) -> &'static str {
-        match self {
-            Group::Lookup => "lookup",
-            Group::Shapes => "shapes",
-            Group::SelfIntersection => "self-intersection",
-            Group::Optics => "optics",
-            Group::Lobes => "lobes and light",
-            Group::Sums => "sums",
-        }
+    pub fn title(self) -> String {
+        name_of(self)
     }
 }
 

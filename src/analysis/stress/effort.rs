@@ -1,8 +1,7 @@
 //! How much is tried, and trying much at once with the same outcome on any number of threads.
 
 use crate::parallel;
-
-use super::random::Random;
+use crate::random::{Random, power_of_ten};
 
 /// Inputs that share a generator of random numbers.
 const CHUNK: usize = 1 << 12;
@@ -82,11 +81,6 @@ fn generator(seed: u64, chunk: usize) -> Random {
 
 fn number_or_infinite(error: f64) -> f64 {
     if error.is_nan() { f64::INFINITY } else { error }
-}
-
-/// `10^exponent`, correctly rounded.
-pub fn power_of_ten(exponent: i32) -> f64 {
-    format!("1e{exponent}").parse().expect("a number")
 }
 
 /// The powers of ten from `10^first` to `10^last`, upwards.

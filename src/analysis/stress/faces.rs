@@ -2,11 +2,11 @@
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, faults_of, worst_of};
-use super::limits::{FACE_SIZE, Range};
-use super::random::Random;
 use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset};
+use crate::limits::{FACE_SIZE, Range};
 use crate::math::Vec3;
 use crate::picture::{Format, Header, Picture, Texels};
+use crate::random::Random;
 
 pub(super) const SUBJECTS: &[Subject] = &[
     Subject {

@@ -4,13 +4,13 @@ use std::f64::consts::TAU;
 use std::sync::Arc;
 
 use super::case::{Group, Measurement, Subject};
-use super::effort::{Effort, decades, faults_of, power_of_ten};
-use super::limits::{ROUGHNESS, Range};
-use super::random::Random;
+use super::effort::{Effort, decades, faults_of};
+use crate::limits::{ROUGHNESS, Range};
 use crate::materials::{Coat, ColourSource, Material, Metal, MetalReflectance, RoughGlass, Scattering};
 use crate::math::functions::sin_cos_turns;
 use crate::math::{DVec2, DVec3, Vec3};
 use crate::parallel;
+use crate::random::{Random, power_of_ten};
 
 pub(super) const SUBJECTS: &[Subject] = &[
     Subject {

@@ -2,11 +2,11 @@
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, faults_of, worst_of};
-use super::limits::Range;
-use super::random::Random;
 use super::reference::ulp_f32;
 use crate::envmap::{Face, Lookup, Preset};
+use crate::limits::Range;
 use crate::math::Vec3;
+use crate::random::Random;
 
 pub(super) const SUBJECTS: &[Subject] = &[
     Subject {

@@ -4,11 +4,11 @@ use std::sync::Arc;
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, faults_of, worst_of};
-use super::limits::{Range, VERTEX_REMOTENESS};
 use super::octasphere::stretched;
 use super::placed::placed;
 use super::reference::{WideRay, distance, point_at, ulp_f32};
 use super::wide_vector::WideVector;
+use crate::limits::{Range, VERTEX_REMOTENESS};
 use crate::math::{DVec3, Ray, Vec3};
 use crate::shapes::mesh::{Mesh, MeshGeometry};
 use crate::shapes::{Geometry, Primitive};

@@ -8,16 +8,13 @@ mod case;
 mod effort;
 mod faces;
 mod lights;
-mod limits;
 mod lobes;
 mod lookup;
 mod mesh_cases;
 mod octasphere;
 mod optics;
 mod placed;
-mod random;
 mod reference;
-mod scene_limits;
 mod self_intersection;
 mod shapes;
 mod sums;
@@ -27,11 +24,10 @@ mod wide_vector;
 
 pub use case::{Case, Group, Measurement, Subject, Verdict};
 pub use effort::Effort;
-pub use limits::{LIMITS, Limit, Range};
 pub use placed::{ball, hit_error, placed};
-pub use random::Random;
 pub use reference::ulp_f32;
-pub use scene_limits::outside_limits;
+
+pub use crate::random::Random;
 
 /// All that can be swept, in the order of the report.
 pub fn subjects() -> Vec<Subject> {

@@ -2,14 +2,14 @@
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, worst_of};
-use super::limits::{INDEX, Range};
-use super::random::Random;
 use super::reference::ulp_f32;
 use super::wide::Wide;
+use crate::limits::{INDEX, Range};
 use crate::materials::beer_lambert;
 use crate::materials::fresnel::{boundary, refract};
 use crate::math::functions::exponential_f64;
 use crate::math::{DVec3, Frame};
+use crate::random::Random;
 
 const ENERGY: &str = "|reflection + transmission - 1|, the transmission computed apart, in f32 ulp of 1";
 

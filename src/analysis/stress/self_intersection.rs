@@ -13,12 +13,12 @@ use std::sync::Arc;
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, faults_of};
-use super::limits::REMOTENESS;
 use super::octasphere::octasphere;
 use super::placed::{ball, placed};
-use super::random::Random;
+use crate::limits::REMOTENESS;
 use crate::materials::fresnel::{reflect, refract};
 use crate::math::{DVec3, Departure, Ray, Side};
+use crate::random::Random;
 use crate::shapes::mesh::Mesh;
 use crate::shapes::{Geometry, Outline, Primitive, Surface};
 
@@ -30,7 +30,7 @@ const fn subject(name: &'static str, swept: &'static str, sweep: fn(Effort) -> V
         error: "false hits and missed hits per million rays",
         unit: "ppm",
         bound: 0.0,
-        promised: super::limits::Range::new(1.0, REMOTENESS.range.most),
+        promised: crate::limits::Range::new(1.0, REMOTENESS.range.most),
         sweep,
     }
 }

@@ -2,11 +2,11 @@
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, worst_of};
-use super::limits::{COORDINATE, RADIUS, Range, SCALE};
 use super::placed::{ball, hit_error, placed};
-use super::random::Random;
 use super::reference::{WideRay, distance, point_at, ulp_f32};
+use crate::limits::{COORDINATE, RADIUS, Range, SCALE};
 use crate::math::{DVec3, Ray, Side, SurfaceId};
+use crate::random::Random;
 use crate::shapes::{Geometry, Outline, Primitive};
 
 pub(super) const SUBJECTS: &[Subject] = &[

@@ -1,13 +1,13 @@
 //! Sums of many samples on the film, and whole pictures.
 
 use super::case::{Group, Measurement, Subject};
-use super::effort::{Effort, decades, power_of_ten};
-use super::limits::Range;
-use super::random::Random;
+use super::effort::{Effort, decades};
 use super::reference::ulp_f32;
 use super::wide::Wide;
+use crate::limits::Range;
 use crate::math::Vec3;
 use crate::picture::Raster;
+use crate::random::{Random, power_of_ten};
 use crate::render::{FilmRow, Keeps, Silent, render};
 use crate::scene::{Plan, Scene};
 

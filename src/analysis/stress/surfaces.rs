@@ -1,15 +1,15 @@
 //! Rays through several surfaces: thin shells, surfaces that touch or coincide, nested glasses, mirrors that face each other.
 
 use super::case::{Group, Measurement, Subject};
-use super::effort::{Effort, decades, faults_of, power_of_ten, worst_of};
-use super::limits::{NESTING, Range};
+use super::effort::{Effort, decades, faults_of, worst_of};
 use super::placed::{ball, placed};
-use super::random::Random;
 use super::reference::ulp_f32;
 use super::wide::Wide;
+use crate::limits::{NESTING, Range};
 use crate::materials::fresnel::{boundary, reflect, refract};
 use crate::materials::{Medium, MediumStack};
 use crate::math::{DVec3, Departure, Ray, Side, SurfaceId};
+use crate::random::{Random, power_of_ten};
 use crate::scene::Aggregate;
 use crate::shapes::{Geometry, Outline, Primitive};
 

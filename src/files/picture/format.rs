@@ -2,17 +2,22 @@
 
 use std::path::Path;
 
+use crate::choice::name_of;
+
 /// The file formats that are read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
+#[value(rename_all = "UPPER")]
 pub enum Format {
     Jpeg,
     Png,
     Tga,
     Bmp,
+    #[value(name = "WebP")]
     WebP,
     Tiff,
     Hdr,
+    #[value(name = "OpenEXR")]
     Exr,
 }
 
@@ -32,17 +37,8 @@ const SIGNATURES: [(&[u8], Format); 10] = [
 
 impl Format {
     /// The name of the format as it is printed.
-    pub fn name(self) -> &'static str {
-        match self {
-            Format::Jpeg => "JPEG",
-            Format::Png => "PNG",
-            Format::Tga => "TGA",
-            Format::Bmp => "BMP",
-            Format::WebP => "WebP",
-            Format::Tiff => "TIFF",
-            Format::Hdr => "HDR",
-            Format::Exr => "OpenEXR",
-        }
+    pub fn name(self) -> String {
+        name_of(self)
     }
 
     /// The usual extension of its files.

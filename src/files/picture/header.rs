@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 pub(super) const MEMORY_LIMIT: u64 = 2 << 30;
 
 /// Size and kind of a picture.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Header {
     pub width: usize,
     pub height: usize,

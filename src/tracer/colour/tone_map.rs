@@ -43,7 +43,7 @@ impl ToneMap {
 }
 
 /// How 8- and 16-bit files say how much light a number stands for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 pub enum Encoding {
     /// As displays expect it.
     #[default]

@@ -37,7 +37,7 @@ pub struct FaceLookup {
 }
 
 /// The row of the image at v = 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum VOrigin {
     Top,
@@ -103,6 +103,13 @@ impl Lookup {
     #[inline]
     pub fn row(&self, face: Face) -> FaceLookup {
         self.faces[face.index()]
+    }
+
+    /// The row of a face as a table would have it whose v = 0 lies at `v_origin`: counted from the other end, v grows the
+    /// other way.
+    pub fn row_counted_from(&self, face: Face, v_origin: VOrigin) -> FaceLookup {
+        let row = self.row(face);
+        if v_origin == self.v_origin { row } else { FaceLookup { v: -row.v, ..row } }
     }
 
     /// All rows in the order of [`Face::ALL`].

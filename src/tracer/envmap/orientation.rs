@@ -6,6 +6,7 @@
 
 use super::axis::SignedAxis;
 use super::lookup::{FaceLookup, VOrigin};
+use crate::choice::name_of;
 use crate::picture::Picture;
 
 /// One of the eight orientations: a symmetry of the square.
@@ -20,17 +21,25 @@ pub struct Orientation {
 }
 
 /// What a picture operation does to a file, as image programs call it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, clap::ValueEnum)]
 pub enum ImageOperation {
+    #[value(name = "none")]
     None,
+    #[value(name = "flip left-right")]
     FlipLeftRight,
+    #[value(name = "flip top-bottom")]
     FlipTopBottom,
+    #[value(name = "turn 180°")]
     Turn180,
+    #[value(name = "turn 90° clockwise")]
     TurnClockwise,
+    #[value(name = "turn 90° counterclockwise")]
     TurnCounterclockwise,
     /// Mirror about the diagonal from the top left to the bottom right.
+    #[value(name = "mirror about the diagonal from top left to bottom right")]
     Transpose,
     /// Mirror about the diagonal from the top right to the bottom left.
+    #[value(name = "mirror about the diagonal from top right to bottom left")]
     Transverse,
 }
 
@@ -86,6 +95,15 @@ impl Orientation {
         FaceLookup { image: row.image, u: turned(first, self.inverts_u), v: turned(second, self.inverts_v) }
     }
 
+    /// The orientation that makes the axes of one row into those of another of the same face.
+    pub fn between(from: FaceLookup, to: FaceLookup) -> Self {
+        let leads = |orientation: &Self| {
+            let row = orientation.of_row(from);
+            (row.u, row.v) == (to.u, to.v)
+        };
+        Self::ALL.into_iter().find(leads).expect("the rows span the same face")
+    }
+
     /// The operation on the file with the same effect: the new picture holds at (u, v) what the old one held at
     /// (u', v').
     pub fn image_operation(self, v_origin: VOrigin) -> ImageOperation {
@@ -108,17 +126,8 @@ impl Orientation {
 
 impl ImageOperation {
     /// The operation in words: `turn 90° clockwise`.
-    pub fn name(self) -> &'static str {
-        match self {
-            ImageOperation::None => "none",
-            ImageOperation::FlipLeftRight => "flip left-right",
-            ImageOperation::FlipTopBottom => "flip top-bottom",
-            ImageOperation::Turn180 => "turn 180°",
-            ImageOperation::TurnClockwise => "turn 90° clockwise",
-            ImageOperation::TurnCounterclockwise => "turn 90° counterclockwise",
-            ImageOperation::Transpose => "mirror about the diagonal from top left to bottom right",
-            ImageOperation::Transverse => "mirror about the diagonal from top right to bottom left",
-        }
+    pub fn name(self) -> String {
+        name_of(self)
     }
 
     /// The picture after the operation; a picture that is not square must be left as it is.
@@ -193,5 +202,8 @@ mod tests {
         let row = FaceLookup { image: super::super::Face::PosX, u: SignedAxis::NEG_Z, v: SignedAxis::NEG_Y };
         let laid = Orientation { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
         assert_eq!((laid.u, laid.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
+        for orientation in Orientation::ALL {
+            assert_eq!(Orientation::between(row, orientation.of_row(row)), orientation);
+        }
     }
 }

@@ -1,11 +1,14 @@
 //! The lookup tables that have a name.
 
+use clap::ValueEnum;
+
 use super::axis::SignedAxis;
 use super::face::Face;
 use super::lookup::{FaceLookup, Lookup, VOrigin};
+use crate::choice::name_of;
 
 /// A named lookup table of DESIGN.md.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 #[value(rename_all = "kebab-case")]
 pub enum Preset {
@@ -26,19 +29,13 @@ impl Preset {
     pub const ALL: [Preset; 5] = [Preset::Opengl, Preset::Exercise, Preset::Course, Preset::HumusZUp, Preset::HumusYUp];
 
     /// The name in scenes and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Preset::Opengl => "opengl",
-            Preset::Exercise => "exercise",
-            Preset::Course => "course",
-            Preset::HumusZUp => "humus-z-up",
-            Preset::HumusYUp => "humus-y-up",
-        }
+    pub fn name(self) -> String {
+        name_of(self)
     }
 
     /// The preset of a name.
     pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|preset| preset.name() == name)
+        <Self as ValueEnum>::from_str(name, false).ok()
     }
 
     /// The axis that points upwards in the worlds it is meant for.

@@ -6,7 +6,7 @@ use super::Picture;
 use crate::math::Vec3;
 
 /// How a colour between the texel centres is found.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Filter {
     /// The texel that the point lies in.

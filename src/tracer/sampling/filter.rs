@@ -41,19 +41,6 @@ pub struct FilteredPlace {
 }
 
 impl PixelFilter {
-    /// All filters.
-    pub const ALL: [Self; 4] = [Self::Box, Self::Tent, Self::Gaussian, Self::Mitchell];
-
-    /// The name in scenes and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            PixelFilter::Box => "box",
-            PixelFilter::Tent => "tent",
-            PixelFilter::Gaussian => "gaussian",
-            PixelFilter::Mitchell => "mitchell",
-        }
-    }
-
     /// True if every sample counts the same.
     pub fn is_even(self) -> bool {
         matches!(self, PixelFilter::Box | PixelFilter::Tent)
@@ -158,6 +145,8 @@ fn integral(filter: PixelFilter) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use clap::ValueEnum;
+
     use super::*;
 
     /// Moments of the drawn places with their weights: integral, second moment along one axis.
@@ -186,7 +175,7 @@ mod tests {
             squared / whole
         };
         assert!((second(PixelFilter::Tent) - 1.0 / 6.0).abs() < 1e-6);
-        for filter in PixelFilter::ALL {
+        for filter in PixelFilter::value_variants().iter().copied() {
             let [weight, first, square] = moments(filter);
             assert!((weight - 1.0).abs() < 1e-4, "{filter:?} {weight}");
             assert!(first.abs() < 1e-4, "{filter:?} {first}");

@@ -13,16 +13,6 @@ pub enum SamplerKind {
     Independent,
 }
 
-impl SamplerKind {
-    /// The name in scenes and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            SamplerKind::Sobol => "sobol",
-            SamplerKind::Independent => "independent",
-        }
-    }
-}
-
 /// The samples of one pixel: Owen-scrambled Sobol points (Burley, Practical Hash-based Owen Scrambling, JCGT 2020),
 /// a different scramble for every pixel, or independent numbers.
 ///

@@ -5,7 +5,7 @@ use skycube_files::document::Table;
 use crate::camera::{Camera, Lens};
 use crate::error::Result;
 use crate::math::DVec3;
-use crate::sampling::{PixelFilter, SamplerKind, Sampling};
+use crate::sampling::Sampling;
 
 /// The largest picture side in pixels.
 pub const MAXIMUM_SIDE: u32 = 65_536;
@@ -25,11 +25,10 @@ fn read_samples(table: &mut Table) -> Result<u32> {
 fn read_sampling(table: &mut Table) -> Result<Sampling> {
     let mut sampling = Sampling::default();
     if let Some(sampler) = table.optional("sampler") {
-        sampling.sampler =
-            sampler.choice(&[SamplerKind::Sobol, SamplerKind::Independent].map(|kind| (kind.name(), kind)))?;
+        sampling.sampler = sampler.choice()?;
     }
     if let Some(filter) = table.optional("filter") {
-        sampling.filter = filter.choice(&PixelFilter::ALL.map(|filter| (filter.name(), filter)))?;
+        sampling.filter = filter.choice()?;
     }
     if let Some(seed) = table.optional("seed") {
         sampling.seed = seed.integer(0..=u32::MAX)?;

@@ -7,7 +7,7 @@ use skycube_files::document::{Document, Table, Value};
 use crate::envmap::source::Skybox;
 use crate::envmap::{
     CubeFilter, CubeMap, Environment, EnvironmentKind, Equirectangular, Face, FaceLookup, Gradient, LazyImage, Lookup,
-    Preset, SignedAxis, VOrigin,
+    Preset, SignedAxis,
 };
 use crate::error::Result;
 use crate::picture;
@@ -18,7 +18,7 @@ pub(super) struct LoadedEnvironment {
     pub files: Vec<PathBuf>,
 }
 
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, clap::ValueEnum)]
 enum Kind {
     Constant,
     Gradient,
@@ -31,12 +31,7 @@ pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Resul
     let Some(mut table) = table else {
         return Ok(LoadedEnvironment { environment: Environment::BLACK, files: Vec::new() });
     };
-    let kind = table.required("kind")?.choice(&[
-        ("constant", Kind::Constant),
-        ("gradient", Kind::Gradient),
-        ("equirectangular", Kind::Equirectangular),
-        ("cube-map", Kind::CubeMap),
-    ])?;
+    let kind: Kind = table.required("kind")?.choice()?;
     if map_override.is_some() && matches!(kind, Kind::Constant | Kind::Gradient) {
         return Err(table
             .error("this environment has no map that could be replaced")
@@ -65,13 +60,7 @@ pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Resul
 fn read_cube_map(table: &mut Table, map_override: Option<PathBuf>) -> Result<(CubeMap, Vec<PathBuf>)> {
     let skybox = read_skybox(table, map_override)?;
     let lookup = table.optional("lookup").map_or(Ok(Preset::Opengl.lookup()), |value| read_lookup(&value))?;
-    let filter = table.optional("filter").map_or(Ok(CubeFilter::default()), |value| {
-        value.choice(&[
-            ("nearest", CubeFilter::Nearest),
-            ("bilinear", CubeFilter::Bilinear),
-            ("seamless", CubeFilter::Seamless),
-        ])
-    })?;
+    let filter = table.optional("filter").map_or(Ok(CubeFilter::default()), |value| value.choice())?;
     let files = skybox.files();
     Ok((CubeMap::from_skybox(&skybox, lookup, filter), files))
 }
@@ -137,20 +126,18 @@ pub fn read_lookup_file(file: &Path) -> Result<Lookup> {
 /// The name of a preset, or a table of the user's own.
 pub(super) fn read_lookup(value: &Value) -> Result<Lookup> {
     if !value.is_table() {
-        let choices = Preset::ALL.map(|preset| (preset.name(), preset));
-        return value.choice(&choices).map(Preset::lookup);
+        return value.choice().map(Preset::lookup);
     }
     read_lookup_table(value.table()?)
 }
 
 fn read_lookup_table(mut table: Table) -> Result<Lookup> {
-    let origins = [("top", VOrigin::Top), ("bottom", VOrigin::Bottom)];
-    let v_origin = table.required("v_origin")?.choice(&origins)?;
+    let v_origin = table.required("v_origin")?.choice()?;
     let images = Face::ALL.map(|face| (face.name(), face));
     let mut rows = Vec::new();
     for face in Face::ALL {
         let mut row = table.required(face.name())?.table()?;
-        let image = row.optional("image").map_or(Ok(face), |image| image.choice(&images))?;
+        let image = row.optional("image").map_or(Ok(face), |image| image.named(&images))?;
         rows.push(FaceLookup { image, u: read_axis(&row.required("u")?)?, v: read_axis(&row.required("v")?)? });
         row.finish()?;
     }

@@ -9,19 +9,14 @@ use crate::math::functions::cos;
 
 /// Reads one light.
 pub(super) fn read(mut table: Table) -> Result<Light> {
-    #[derive(Clone, Copy)]
+    #[derive(Clone, Copy, clap::ValueEnum)]
     enum Kind {
         Ambient,
         Directional,
         Point,
         Spot,
     }
-    let kind = table.required("kind")?.choice(&[
-        ("ambient", Kind::Ambient),
-        ("directional", Kind::Directional),
-        ("point", Kind::Point),
-        ("spot", Kind::Spot),
-    ])?;
+    let kind: Kind = table.required("kind")?.choice()?;
     let light = match kind {
         Kind::Ambient => Light::Ambient { radiance: table.required("radiance")?.colour()? },
         Kind::Directional => Light::Directional {
@@ -60,6 +55,5 @@ fn direction(value: &Value) -> Result<DVec3> {
 }
 
 fn falloff(table: &mut Table) -> Result<Falloff> {
-    let choices = [("inverse-square", Falloff::InverseSquare), ("constant", Falloff::Constant)];
-    table.optional("falloff").map_or(Ok(Falloff::default()), |value| value.choice(&choices))
+    table.optional("falloff").map_or(Ok(Falloff::default()), |value| value.choice())
 }

@@ -39,7 +39,7 @@ impl TextureStore {
 
 /// Reads one material.
 pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Material> {
-    #[derive(Clone, Copy)]
+    #[derive(Clone, Copy, clap::ValueEnum)]
     enum Kind {
         Normals,
         TextureCoordinates,
@@ -51,17 +51,7 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
         Glass,
         Light,
     }
-    let kind = table.required("kind")?.choice(&[
-        ("normals", Kind::Normals),
-        ("texture-coordinates", Kind::TextureCoordinates),
-        ("lambert", Kind::Lambert),
-        ("phong", Kind::Phong),
-        ("mirror", Kind::Mirror),
-        ("metal", Kind::Metal),
-        ("coated", Kind::Coated),
-        ("glass", Kind::Glass),
-        ("light", Kind::Light),
-    ])?;
+    let kind: Kind = table.required("kind")?.choice()?;
     let material = match kind {
         Kind::Normals => Material::Normals,
         Kind::TextureCoordinates => Material::TextureCoordinates,
@@ -102,7 +92,7 @@ fn read_phong(table: &mut Table, textures: &mut TextureStore) -> Result<Material
 fn read_metal(table: &mut Table) -> Result<Material> {
     let roughness = roughness(table)?;
     let reflectance = match (table.optional("metal"), table.optional("index"), table.optional("reflectance")) {
-        (Some(name), None, None) => name.choice(&METALS)?,
+        (Some(name), None, None) => name.named(&METALS)?,
         (None, Some(index), None) => {
             MetalReflectance::Measured { index: index.colour()?, extinction: table.required("extinction")?.colour()? }
         }
@@ -168,8 +158,7 @@ fn reflectance(value: &Value, textures: &mut TextureStore) -> Result<ColourSourc
     let repeat = table.optional("repeat").map_or(Ok(DVec2::ONE), |value| repeat(&value))?;
     let source = match (table.optional("image"), table.optional("checker")) {
         (Some(image), None) => {
-            let choices = [("nearest", Filter::Nearest), ("bilinear", Filter::Bilinear)];
-            let filter = table.optional("filter").map_or(Ok(Filter::Bilinear), |value| value.choice(&choices))?;
+            let filter = table.optional("filter").map_or(Ok(Filter::Bilinear), |value| value.choice())?;
             let texture = textures.load(image.path()?, filter).map_err(|error| at(&image, error))?;
             ColourSource::Image(ImageTexture { texture, repeat })
         }

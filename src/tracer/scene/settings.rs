@@ -27,7 +27,7 @@ pub struct IntegratorSettings {
 }
 
 /// Mistakes that a lesson can ask for, to show how they look.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Mistake {
     /// Shadow rays forget the surface they leave, and start where single precision puts them: a little above or below
     /// it. From below they meet it again.
@@ -62,7 +62,7 @@ pub enum Caustics {
 }
 
 /// Which hierarchy over more than a few shapes finds those that a ray meets; the picture is the same.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 pub enum HierarchyChoice {
     /// The fast one.
     #[default]
@@ -111,44 +111,12 @@ impl Default for IntegratorSettings {
     }
 }
 
-impl IntegratorKind {
-    /// The name in scenes and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            IntegratorKind::Normals => "normals",
-            IntegratorKind::Phong => "phong",
-            IntegratorKind::Whitted => "whitted",
-            IntegratorKind::Path => "path",
-        }
-    }
-}
-
-impl Strategy {
-    /// All strategies.
-    pub const ALL: [Self; 4] = [Self::Auto, Self::Bsdf, Self::Light, Self::Mis];
-
-    /// The name in scenes and on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Strategy::Auto => "auto",
-            Strategy::Bsdf => "bsdf",
-            Strategy::Light => "light",
-            Strategy::Mis => "mis",
-        }
-    }
-}
-
 impl IntegratorSettings {
     pub(super) fn read(table: Option<Table>) -> Result<Self> {
         let mut settings = Self::default();
         let Some(mut table) = table else { return Ok(settings) };
         if let Some(kind) = table.optional("kind") {
-            settings.kind = kind.choice(&[
-                ("normals", IntegratorKind::Normals),
-                ("phong", IntegratorKind::Phong),
-                ("whitted", IntegratorKind::Whitted),
-                ("path", IntegratorKind::Path),
-            ])?;
+            settings.kind = kind.choice()?;
         }
         if let Some(depth) = table.optional("depth") {
             settings.depth = depth.integer(0..=1000)?;
@@ -158,23 +126,19 @@ impl IntegratorSettings {
             settings.weight_cutoff = number as f32;
         }
         if let Some(strategy) = table.optional("strategy") {
-            settings.strategy = strategy.choice(&Strategy::ALL.map(|strategy| (strategy.name(), strategy)))?;
+            settings.strategy = strategy.choice()?;
         }
         if let Some(caustics) = table.optional("caustics") {
-            settings.caustics = caustics.choice(&[("auto", Caustics::Auto), ("off", Caustics::Off)])?;
+            settings.caustics = caustics.choice()?;
         }
         if let Some(fast) = table.optional("fast") {
             settings.fast = fast.boolean()?;
         }
         if let Some(hierarchy) = table.optional("hierarchy") {
-            settings.hierarchy = hierarchy.choice(&[
-                ("auto", HierarchyChoice::Auto),
-                ("textbook", HierarchyChoice::Textbook),
-                ("off", HierarchyChoice::Off),
-            ])?;
+            settings.hierarchy = hierarchy.choice()?;
         }
         if let Some(mistake) = table.optional("mistake") {
-            settings.mistake = Some(mistake.choice(&[("shadow-acne", Mistake::ShadowAcne)])?);
+            settings.mistake = Some(mistake.choice()?);
         }
         table.finish()?;
         Ok(settings)
@@ -186,10 +150,10 @@ impl OutputSettings {
         let mut settings = Self::default();
         let Some(mut table) = table else { return Ok(settings) };
         if let Some(tone_map) = table.optional("tone_map") {
-            settings.tone_map = tone_map.choice(&[("clamp", ToneMap::Clamp), ("reinhard", ToneMap::Reinhard)])?;
+            settings.tone_map = tone_map.choice()?;
         }
         if let Some(encode) = table.optional("encode") {
-            settings.encoding = encode.choice(&[("srgb", Encoding::Srgb), ("linear", Encoding::Linear)])?;
+            settings.encoding = encode.choice()?;
         }
         table.finish()?;
         Ok(settings)

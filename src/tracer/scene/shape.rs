@@ -50,23 +50,17 @@ impl<'a> ShapeReader<'a> {
 
     /// Reads one shape.
     pub(super) fn read(&mut self, mut table: Table) -> Result<Primitive> {
-        #[derive(Clone, Copy)]
+        #[derive(Clone, Copy, clap::ValueEnum)]
         enum Kind {
             Sphere,
             Plane,
             Disc,
             Rectangle,
+            #[value(name = "box")]
             Cuboid,
             Mesh,
         }
-        let kind = table.required("kind")?.choice(&[
-            ("sphere", Kind::Sphere),
-            ("plane", Kind::Plane),
-            ("disc", Kind::Disc),
-            ("rectangle", Kind::Rectangle),
-            ("box", Kind::Cuboid),
-            ("mesh", Kind::Mesh),
-        ])?;
+        let kind: Kind = table.required("kind")?.choice()?;
         let mut own_materials = None;
         let (geometry, canonical) = match kind {
             Kind::Sphere => (Geometry::Sphere, read_sphere(&mut table)?),

@@ -1,9 +1,11 @@
 //! What the eye resolves: the contrast sensitivity of the three opponent channels (section 4.1.1 of the paper).
 
-use super::PIXELS_A_DEGREE;
 use crate::math::functions::exponential_f64;
 use crate::metrics::Plane;
 use crate::metrics::gaussian;
+
+/// Pixels a degree of the visual field: a monitor 0.7 m wide with 3840 pixels seen from 0.7 m, as in the paper.
+pub const PIXELS_A_DEGREE: f64 = 67.020_643_276_582_25;
 
 const PI: f64 = std::f64::consts::PI;
 

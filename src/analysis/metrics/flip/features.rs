@@ -1,6 +1,6 @@
 //! Edges and points, which the eye looks for (section 4.2 of the paper).
 
-use super::PIXELS_A_DEGREE;
+use super::contrast_sensitivity::PIXELS_A_DEGREE;
 use crate::math::functions::exponential_f64;
 use crate::metrics::Plane;
 use crate::metrics::gaussian;

@@ -12,15 +12,14 @@ mod colour_space;
 mod contrast_sensitivity;
 mod features;
 
-use super::check_sizes;
+pub use contrast_sensitivity::PIXELS_A_DEGREE;
+
+use super::plane::check_sizes;
 use crate::math::Vec3;
 use crate::math::functions::power;
 use crate::metrics::Plane;
 use crate::picture::Raster;
 use rayon::prelude::*;
-
-/// Pixels a degree of the visual field: a monitor 0.7 m wide with 3840 pixels seen from 0.7 m, as in the paper.
-pub const PIXELS_A_DEGREE: f64 = 67.020_643_276_582_25;
 
 /// The FLIP of every pixel, in `[0, 1]`: 0 for equal pictures. The pictures are cut off at 1, as displayed. Symmetric.
 ///

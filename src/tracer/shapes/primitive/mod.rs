@@ -35,6 +35,20 @@ pub enum Geometry {
     Mesh(Arc<Mesh>),
 }
 
+impl Geometry {
+    /// The name of the shape in scenes.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Geometry::Sphere => "sphere",
+            Geometry::Flat(Outline::Plane) => "plane",
+            Geometry::Flat(Outline::Disc) => "disc",
+            Geometry::Flat(Outline::Rectangle) => "rectangle",
+            Geometry::Cuboid => "box",
+            Geometry::Mesh(_) => "mesh",
+        }
+    }
+}
+
 /// What is computed for a ray, with what is derived from the transform once.
 #[derive(Debug, Clone)]
 enum Kernel {

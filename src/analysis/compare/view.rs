@@ -1,0 +1,32 @@
+//! Two pictures side by side.
+
+use super::region::{self, Region};
+use super::undoing::Undoing;
+use crate::metrics::{Metrics, Plane};
+use crate::picture::Raster;
+
+/// Mine and the expected picture in one size, and how they differ.
+#[derive(Debug, Clone, PartialEq)]
+pub struct View {
+    pub mine: Raster,
+    pub expected: Raster,
+    /// Where its top left corner lies in the expected picture.
+    pub corner: [usize; 2],
+    pub metrics: Metrics,
+    /// FLIP of every pixel.
+    pub flip: Plane,
+}
+
+impl View {
+    pub(super) fn of(undoing: &Undoing, mine: &Raster, expected: &Raster) -> Self {
+        let aligned = undoing.applied(mine, expected);
+        let (metrics, flip) = Metrics::with_flip_map(&aligned.mine, &aligned.expected);
+        Self { mine: aligned.mine, expected: aligned.expected, corner: aligned.corner, metrics, flip }
+    }
+
+    /// The worst region, in pixels of the expected picture.
+    pub(super) fn worst_region(&self) -> Region {
+        let region = region::worst(&self.flip);
+        Region { x: region.x + self.corner[0], y: region.y + self.corner[1], ..region }
+    }
+}

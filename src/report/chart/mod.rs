@@ -1,0 +1,9 @@
+//! Charts with logarithmic axes, as pictures and as SVG.
+
+mod axis;
+mod marks;
+mod panel;
+
+pub(super) use axis::Axis;
+pub use marks::Chart;
+pub(super) use panel::{Line, Panel, Style, draw_panels};

@@ -1,0 +1,306 @@
+//! The report of `skycube check`, as text and as JSON.
+//!
+//! The JSON has these keys, in this order; numbers are rounded to the digits that are stable:
+//!
+//! ```text
+//! map, lookup
+//! images:     [ { face, file, width, height, format } ]                       six, by name
+//! verdict:    fits | broken | undecidable
+//! seams:      [ { edge, step, detail, score, verdict } ]                      twelve, as they are now
+//! fix:        { faces: [ { face, image, u, v, image_operation, decided } ],   six; u, v of those the lookup computes
+//!               changes, convention, margin, seams_after, equivalents }
+//! handedness: { mirrored: [ face ] }
+//! notes:      [ text ]
+//! ```
+
+use std::fmt;
+
+use crate::digits::rounded;
+use crate::envmap::{Lookup, Orientation};
+use crate::validate::{Check, FaceFix, Seam, Verdict};
+
+/// A check of a map, to be printed.
+pub struct CheckReport<'a> {
+    map: String,
+    check: &'a Check,
+}
+
+impl<'a> CheckReport<'a> {
+    pub fn new(map: String, check: &'a Check) -> Self {
+        Self { map, check }
+    }
+
+    /// The report for machines.
+    pub fn to_json(&self) -> String {
+        serde_json::to_string_pretty(&Json::of(self)).expect("a report is plain data")
+    }
+
+    /// The report in one line: verdict, and what to do.
+    pub fn line(&self) -> String {
+        let Check { verdict, fix, foreign, notes, .. } = self.check;
+        let mut what = match fix.convention {
+            _ if *verdict != Verdict::Broken => Vec::new(),
+            Some(convention) => vec![convention.to_string()],
+            None => self.changed().map(|face| self.change(face)).collect(),
+        };
+        // The first notes are those on faces that do not belong, which no change repairs.
+        what.extend(notes.iter().take(foreign.len()).map(ToString::to_string));
+        let separator = if what.is_empty() { "" } else { ": " };
+        format!("{}: {}{separator}{}", self.map, verdict.name(), what.join("; "))
+    }
+
+    fn changed(&self) -> impl Iterator<Item = &FaceFix> {
+        self.check.fix.faces.iter().filter(|face| !face.is_unchanged(&self.check.lookup))
+    }
+
+    /// `posx u = 1-u`, `posz reads negz`.
+    fn change(&self, fix: &FaceFix) -> String {
+        let mut parts = Vec::new();
+        if fix.image != self.check.lookup.row(fix.face).image {
+            parts.push(format!("reads {}", fix.image.name()));
+        }
+        parts.extend(formulas(fix));
+        format!("{} {}", fix.face.name(), parts.join(", "))
+    }
+}
+
+/// The entry of a map that could not be checked, among the reports on several.
+pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
+    #[derive(serde::Serialize)]
+    struct Failed<'a> {
+        map: &'a str,
+        error: String,
+    }
+    serde_json::to_string_pretty(&Failed { map, error: error.to_string() }).expect("plain data")
+}
+
+/// The statements that turn u, v into u', v', to be put behind those that compute u and v.
+fn statements(fix: &FaceFix) -> Vec<&'static str> {
+    let Orientation { swaps, inverts_u, inverts_v } = fix.orientation;
+    // After the swap u holds the old v, so the inversions read alike with and without it.
+    let all = [(swaps, "swap(u, v);"), (inverts_u, "u = 1 - u;"), (inverts_v, "v = 1 - v;")];
+    all.into_iter().filter(|(needed, _)| *needed).map(|(_, statement)| statement).collect()
+}
+
+/// The coordinates that differ from u and v, as formulas.
+fn formulas(fix: &FaceFix) -> Vec<String> {
+    let (u, v) = fix.orientation.formulas();
+    let changed = [("u", u), ("v", v)].into_iter().filter(|(name, formula)| name != formula);
+    changed.map(|(name, formula)| format!("{name}' = {formula}")).collect()
+}
+
+#[derive(serde::Serialize)]
+struct Json<'a> {
+    map: &'a str,
+    lookup: &'a str,
+    images: Vec<JsonImage<'a>>,
+    verdict: Verdict,
+    seams: Vec<JsonSeam>,
+    fix: JsonFix,
+    handedness: JsonHandedness,
+    notes: Vec<String>,
+}
+
+#[derive(serde::Serialize)]
+struct JsonImage<'a> {
+    face: &'static str,
+    file: &'a str,
+    width: usize,
+    height: usize,
+    format: crate::picture::Format,
+}
+
+#[derive(serde::Serialize)]
+struct JsonSeam {
+    edge: String,
+    step: f64,
+    detail: f64,
+    score: f64,
+    verdict: Verdict,
+}
+
+#[derive(serde::Serialize)]
+struct JsonFix {
+    faces: Vec<JsonFaceFix>,
+    changes: usize,
+    convention: Option<&'static str>,
+    margin: f64,
+    seams_after: Vec<JsonSeam>,
+    equivalents: usize,
+}
+
+#[derive(serde::Serialize)]
+struct JsonFaceFix {
+    face: &'static str,
+    image: &'static str,
+    u: &'static str,
+    v: &'static str,
+    image_operation: String,
+    decided: bool,
+}
+
+#[derive(serde::Serialize)]
+struct JsonHandedness {
+    mirrored: Vec<&'static str>,
+}
+
+impl<'a> Json<'a> {
+    fn of(report: &'a CheckReport<'a>) -> Self {
+        let check = report.check;
+        let images = check.images.iter().map(|image| JsonImage {
+            face: image.face.name(),
+            file: &image.file,
+            width: image.width,
+            height: image.height,
+            format: image.format,
+        });
+        Self {
+            map: &report.map,
+            lookup: &check.lookup_name,
+            images: images.collect(),
+            verdict: check.verdict,
+            seams: seams(&check.seams),
+            fix: JsonFix {
+                faces: check.fix.faces.iter().map(|fix| face_fix(fix, &check.lookup)).collect(),
+                changes: check.fix.changes,
+                convention: check.fix.convention.map(|convention| convention.name()),
+                margin: rounded(check.fix.margin, 1),
+                seams_after: seams(&check.fix.seams_after),
+                equivalents: check.fix.equivalents,
+            },
+            handedness: JsonHandedness { mirrored: check.mirrored.iter().map(|face| face.name()).collect() },
+            notes: check.notes.iter().map(ToString::to_string).collect(),
+        }
+    }
+}
+
+fn face_fix(fix: &FaceFix, lookup: &Lookup) -> JsonFaceFix {
+    let (u, v) = fix.orientation.formulas();
+    JsonFaceFix {
+        face: fix.face.name(),
+        image: fix.image.name(),
+        u,
+        v,
+        image_operation: fix.orientation.image_operation(lookup.v_origin()).name(),
+        decided: fix.decided,
+    }
+}
+
+fn seams(seams: &[Seam]) -> Vec<JsonSeam> {
+    let seam = |seam: &Seam| JsonSeam {
+        edge: seam.edge.name(),
+        step: rounded(seam.step, 2),
+        detail: rounded(seam.detail, 2),
+        score: rounded(seam.score, 2),
+        verdict: seam.verdict,
+    };
+    seams.iter().map(seam).collect()
+}
+
+/// The ways to turn and mirror a cube.
+const TURNS_OF_A_CUBE: usize = 48;
+
+/// What the columns of the seams are.
+const LEGEND: &str = "  score = step / max(detail, 0.5): mean step across the seam over that from texel to texel inside both faces, of 255
+  verdict: not by the score, but by comparing orientations: broken if the best orientation continues the two borders decisively
+  better elsewhere, or a face at the seam does not belong; undecidable if they go as well with most other borders";
+
+impl fmt::Display for CheckReport<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Check { verdict, fix, lookup_name, .. } = self.check;
+        writeln!(formatter, "{}: {} under the lookup {lookup_name}", self.map, verdict.name())?;
+        if let Some(convention) = fix.convention {
+            writeln!(formatter, "  {convention}")?;
+            writeln!(formatter, "  or the same face by face:")?;
+        }
+        for face in self.changed() {
+            self.write_change(face, formatter)?;
+        }
+        writeln!(
+            formatter,
+            "\n  seam    step  detail  score  verdict{}",
+            if fix.changes > 0 { "      after the fix" } else { "" }
+        )?;
+        for (before, after) in self.check.seams.iter().zip(&fix.seams_after) {
+            let Seam { edge, step, detail, score, verdict } = before;
+            write!(formatter, "  {}  {step:6.2}  {detail:6.2} {score:6.2}  {}", edge.name(), verdict.name())?;
+            if fix.changes > 0 {
+                let gap = 12 - verdict.name().len();
+                write!(formatter, "{:gap$} {:6.2} {}", "", after.score, after.verdict.name())?;
+            }
+            writeln!(formatter)?;
+        }
+        writeln!(formatter, "{LEGEND}")?;
+        writeln!(
+            formatter,
+            "\n  margin {:.1}: standard errors by which the next different orientation is worse\n  {}",
+            fix.margin,
+            self.equally_good()
+        )?;
+        for note in &self.check.notes {
+            writeln!(formatter, "  note: {note}")?;
+        }
+        Ok(())
+    }
+}
+
+impl CheckReport<'_> {
+    /// How many fixes are as good as the one shown, and why.
+    fn equally_good(&self) -> String {
+        let Check { fix, lookup, foreign, .. } = self.check;
+        if !foreign.is_empty() {
+            return "equally good orientations: not counted, since a face does not belong here".to_owned();
+        }
+        if fix.equivalents == 1 {
+            return "equally good orientations: 1, the one shown".to_owned();
+        }
+        let renamed = fix.faces.iter().any(|face| face.image != lookup.row(face.face).image);
+        let whole = if renamed && fix.equivalents.is_multiple_of(TURNS_OF_A_CUBE) {
+            "; with images in other places the whole cube can be turned and mirrored in 48 ways"
+        } else {
+            ""
+        };
+        format!(
+            "equally good orientations: {}, the simplest of them shown: seams cannot tell them apart{whole}",
+            fix.equivalents
+        )
+    }
+
+    fn write_change(&self, fix: &FaceFix, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let check = self.check;
+        let file = &check.images[fix.image.index()].file;
+        let mut code = Vec::new();
+        if fix.image != check.lookup.row(fix.face).image {
+            code.push(format!("image = {};", fix.image.constant_name()));
+        }
+        code.extend(statements(fix).into_iter().map(str::to_owned));
+        writeln!(formatter, "  {} ({file})", fix.face.name())?;
+        writeln!(formatter, "    in the code: case {}: {}", fix.face.constant_name(), code.join(" "))?;
+        let mut file_change = Vec::new();
+        if fix.image != check.lookup.row(fix.face).image {
+            // The file takes the name that the lookup reads for this face.
+            file_change.push(format!("read {file} as {}", check.lookup.row(fix.face).image.name()));
+        }
+        if fix.orientation != Orientation::IDENTITY {
+            file_change.push(fix.orientation.image_operation(check.lookup.v_origin()).name());
+        }
+        let doubt = if fix.decided { "" } else { " (undecided)" };
+        writeln!(formatter, "    or the file: {}{doubt}", file_change.join(", "))
+    }
+}
+
+/// Why the fix of a map changes nothing, as a sentence without its full stop: the map may fit, be undecidable, or have
+/// faces that do not belong, which no lookup repairs.
+pub fn nothing_to_fix(check: &Check) -> String {
+    let outliers: Vec<&str> = check.foreign.iter().map(|foreign| foreign.face.name()).collect();
+    match check.verdict {
+        Verdict::Fits => "the map fits under this lookup: nothing to fix".to_owned(),
+        _ if !outliers.is_empty() => {
+            format!("broken, and no lookup repairs it: {}: the picture does not belong here", outliers.join(", "))
+        }
+        Verdict::Undecidable => {
+            "undecidable: the pixels do not tell whether these faces fit; nothing is changed".to_owned()
+        }
+        Verdict::Broken => "broken, but no change is certain; nothing is changed".to_owned(),
+    }
+}

@@ -1,0 +1,11 @@
+//! What `skycube converge` says and draws.
+
+mod plot;
+mod report;
+mod series;
+mod table;
+
+pub use plot::draw_convergence;
+pub use report::{ConvergeReport, ConvergedScene};
+pub use series::Measure;
+pub use table::converge_csv;

@@ -1,0 +1,166 @@
+//! What drawings are made of: text, arrows, lines, plates, pictures.
+
+use tiny_skia::{
+    Color, FillRule, IntSize, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapMut, PixmapPaint, Rect,
+    Stroke, StrokeDash, Transform,
+};
+
+use super::text_drawing::{Anchor, text_path, text_width};
+use crate::colour::ToneMap;
+use crate::picture::{Raster, display_bytes};
+
+/// The dark that rims and plates are made of.
+pub(in crate::report) fn dark() -> Color {
+    Color::from_rgba8(24, 22, 34, 255)
+}
+
+/// Draws on a pixmap in units of its own: a scale makes one layout serve all sizes. Y points down.
+pub(in crate::report) struct Canvas<'a> {
+    pixmap: PixmapMut<'a>,
+    scale: Transform,
+}
+
+impl<'a> Canvas<'a> {
+    /// A canvas whose unit is `scale` pixels.
+    pub fn new(pixmap: PixmapMut<'a>, scale: f32) -> Self {
+        Self { pixmap, scale: Transform::from_scale(scale, scale) }
+    }
+
+    /// A line of text, white with a dark rim, readable on every colour; turned clockwise by `turn` degrees (multiples
+    /// of 90) about its anchor.
+    pub fn text(&mut self, text: &str, size: f32, position: (f32, f32), turn: f32, anchor: Anchor) {
+        self.text_placed(text, size, anchor, quarter_turn(turn).post_translate(position.0, position.1));
+    }
+
+    /// A line of text whose anchor a transform carries to its place.
+    pub fn text_placed(&mut self, text: &str, size: f32, anchor: Anchor, place: Transform) {
+        if let Some(path) = text_path(text, size, anchor).and_then(|path| path.transform(place)) {
+            self.rimmed(&path, 2.0 + size / 24.0, Color::WHITE);
+        }
+    }
+
+    /// A line of text without a rim, for a ground of one colour.
+    pub fn plain_text(&mut self, text: &str, size: f32, position: (f32, f32), anchor: Anchor, colour: Color) {
+        self.turned_text(text, size, position, 0.0, anchor, colour);
+    }
+
+    /// The same, turned clockwise by `turn` degrees (multiples of 90) about its anchor.
+    pub fn turned_text(&mut self, text: &str, size: f32, (x, y): (f32, f32), turn: f32, anchor: Anchor, colour: Color) {
+        let place = quarter_turn(turn).post_translate(x, y);
+        if let Some(path) = text_path(text, size, anchor).and_then(|path| path.transform(place)) {
+            self.pixmap.fill_path(&path, &paint(colour), FillRule::Winding, self.scale, None);
+        }
+    }
+
+    /// Dark text, smaller where it is too long for its place.
+    pub fn fitted_text(&mut self, text: &str, size: f32, position: (f32, f32), width: f32) {
+        let size = size.min(size * width / text_width(text, size).max(1.0));
+        self.plain_text(text, size, position, Anchor::Start, dark());
+    }
+
+    /// A straight arrow with a filled head; `weight` 1 is a shaft 8 units thick.
+    pub fn arrow(&mut self, tail: (f32, f32), head: (f32, f32), weight: f32, colour: Color) {
+        let (half_shaft, half_head, head_length) = (4.0 * weight, 13.0 * weight, 30.0 * weight);
+        let (dx, dy) = (head.0 - tail.0, head.1 - tail.1);
+        let length = (dx * dx + dy * dy).sqrt();
+        let (dx, dy) = (dx / length, dy / length);
+        // Outline in coordinates along and to the side of the arrow.
+        let neck = length - head_length;
+        let outline = [
+            (0.0, -half_shaft),
+            (neck, -half_shaft),
+            (neck, -half_head),
+            (length, 0.0),
+            (neck, half_head),
+            (neck, half_shaft),
+            (0.0, half_shaft),
+        ];
+        let place = |(along, side): (f32, f32)| (tail.0 + along * dx - side * dy, tail.1 + along * dy + side * dx);
+        self.rimmed(&polygon(&outline.map(place), true), 4.0 * weight, colour);
+    }
+
+    /// Fills a shape over a dark rim `rim` wide.
+    pub fn rimmed(&mut self, path: &Path, rim: f32, colour: Color) {
+        let stroke =
+            Stroke { width: 2.0 * rim, line_join: LineJoin::Round, line_cap: LineCap::Round, ..Stroke::default() };
+        self.pixmap.stroke_path(path, &paint(dark()), &stroke, self.scale, None);
+        self.pixmap.fill_path(path, &paint(colour), FillRule::Winding, self.scale, None);
+    }
+
+    pub fn line(&mut self, points: &[(f32, f32)], width: f32, colour: Color) {
+        self.stroke(points, width, None, colour);
+    }
+
+    /// A line, dashed if asked for.
+    pub fn stroke(&mut self, points: &[(f32, f32)], width: f32, dash: Option<StrokeDash>, colour: Color) {
+        let stroke = Stroke { width, dash, ..Stroke::default() };
+        self.pixmap.stroke_path(&polygon(points, false), &paint(colour), &stroke, self.scale, None);
+    }
+
+    /// A filled polygon.
+    pub fn area(&mut self, corners: &[(f32, f32)], colour: Color) {
+        self.pixmap.fill_path(&polygon(corners, true), &paint(colour), FillRule::Winding, self.scale, None);
+    }
+
+    /// A filled rectangle.
+    pub fn plate(&mut self, [left, top, right, bottom]: [f32; 4], colour: Color) {
+        if let Some(rect) = Rect::from_ltrb(left, top, right, bottom) {
+            self.pixmap.fill_rect(rect, &paint(colour), self.scale, None);
+        }
+    }
+
+    /// A filled circle with a dark rim.
+    pub fn disc(&mut self, (x, y): (f32, f32), radius: f32, colour: Color) {
+        if let Some(path) = PathBuilder::from_circle(x, y, radius) {
+            self.rimmed(&path, 2.0, colour);
+        }
+    }
+
+    /// A picture with its top left corner at a place in pixels, texel for pixel.
+    pub fn picture(&mut self, picture: &Pixmap, [x, y]: [usize; 2]) {
+        let paint = PixmapPaint::default();
+        self.pixmap.draw_pixmap(x as i32, y as i32, picture.as_ref(), &paint, Transform::identity(), None);
+    }
+}
+
+/// A pixmap of one colour.
+pub(in crate::report) fn blank(width: usize, height: usize, colour: Color) -> Pixmap {
+    let mut pixmap = Pixmap::new(width as u32, height as u32).expect("a drawing has pixels");
+    pixmap.fill(colour);
+    pixmap
+}
+
+/// A raster as it is displayed.
+pub(in crate::report) fn displayed(raster: &Raster, tone_map: ToneMap) -> Pixmap {
+    let size = IntSize::from_wh(raster.width() as u32, raster.height() as u32).expect("a raster has pixels");
+    Pixmap::from_vec(display_bytes(raster, tone_map), size).expect("four bytes a pixel")
+}
+
+/// A turn clockwise by a multiple of 90 degrees about the origin, exact (y points down).
+pub(in crate::report) fn quarter_turn(degrees: f32) -> Transform {
+    match degrees {
+        90.0 => Transform::from_row(0.0, 1.0, -1.0, 0.0, 0.0, 0.0),
+        180.0 => Transform::from_row(-1.0, 0.0, 0.0, -1.0, 0.0, 0.0),
+        270.0 => Transform::from_row(0.0, -1.0, 1.0, 0.0, 0.0, 0.0),
+        _ => Transform::identity(),
+    }
+}
+
+fn polygon(points: &[(f32, f32)], closed: bool) -> Path {
+    let mut builder = PathBuilder::new();
+    builder.move_to(points[0].0, points[0].1);
+    for point in &points[1..] {
+        builder.line_to(point.0, point.1);
+    }
+    if closed {
+        builder.close();
+    }
+    builder.finish().expect("a polygon has points")
+}
+
+/// Smooth edges, one colour.
+pub(in crate::report) fn paint(colour: Color) -> Paint<'static> {
+    let mut paint = Paint { anti_alias: true, ..Paint::default() };
+    paint.set_color(colour);
+    paint
+}

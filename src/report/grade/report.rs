@@ -1,0 +1,169 @@
+//! What `skycube grade` says: what each shot shows, whether lookup or camera is wrong, and the repair in the words of the
+//! student's code.
+
+use std::fmt;
+
+use super::json::Json;
+use super::sentences::{DIVISION, describe, faces, other_explanation, out_of_range, preset, repair, undecided};
+use crate::envmap::{SignedAxis, VOrigin};
+use crate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
+
+/// A grade and the names of what was graded.
+#[derive(Debug, Clone)]
+pub struct GradeReport<'a> {
+    pub grade: &'a Grade,
+    pub map: &'a str,
+    pub lookup: &'a str,
+    /// False if the lookup was not named by the user.
+    pub lookup_given: bool,
+    pub v_origin: VOrigin,
+    pub world_up: SignedAxis,
+}
+
+impl GradeReport<'_> {
+    /// The report for machines.
+    pub fn to_json(&self) -> String {
+        let notes = self.notes();
+        let json = Json::new(self.grade, [self.map, self.lookup], self.world_up.to_string(), &notes);
+        serde_json::to_string_pretty(&json).expect("a report is plain data")
+    }
+
+    /// The verdict as a sentence.
+    fn verdict(&self) -> String {
+        let wrong = self.grade.faces.iter().filter(|face| face.is_wrong()).count();
+        let cases = format!("{} {}", faces(wrong), if wrong == 1 { "is" } else { "are" });
+        let others = if wrong == 0 { String::new() } else { format!(", and {cases} to be repaired") };
+        match self.grade.verdict() {
+            GradeVerdict::Right => "right: every shot that the pixels decide shows what it should".to_owned(),
+            GradeVerdict::Lookup if self.grade.undivided => {
+                format!("the lookup is wrong: it does not divide by the largest component{others}")
+            }
+            GradeVerdict::CameraAndLookup if self.grade.undivided => {
+                format!("the camera is wrong, and the lookup does not divide by the largest component{others}")
+            }
+            GradeVerdict::Lookup => format!("the lookup is wrong: {cases} to be repaired"),
+            GradeVerdict::Camera if self.grade.faces.iter().any(|face| face.misfit.is_some()) => {
+                "the camera is wrong, and not every shot shows an image of the map".to_owned()
+            }
+            GradeVerdict::Camera if self.contains_preset() => {
+                "the camera is wrong and the lookup right, or the camera right and the lookup another preset".to_owned()
+            }
+            GradeVerdict::Camera => "the camera is wrong, the lookup is right".to_owned(),
+            GradeVerdict::CameraAndLookup => format!("the camera is wrong, and {cases} to be repaired in the lookup"),
+            GradeVerdict::OutOfRange => self.out_of_range().to_owned(),
+            GradeVerdict::Undecided => "undecided: the pixels tell nothing, choose a map with more detail".to_owned(),
+        }
+    }
+
+    /// True if the code contains another preset, if the camera is right.
+    fn contains_preset(&self) -> bool {
+        self.grade.preset.as_ref().is_some_and(|reading| reading.camera == CameraFault::NONE)
+    }
+
+    /// What shots come from that show no image of the map.
+    fn out_of_range(&self) -> &'static str {
+        let shown = |misfit: &Misfit| *misfit == Misfit::Unlike;
+        if self.grade.faces.iter().filter_map(|face| face.misfit).all(|misfit| shown(&misfit)) {
+            "a shot fits no orientation of any image: the texture is read out of range, or the map is another one, or the camera \
+             is rolled, elsewhere, or not 90° wide in this shot alone"
+        } else {
+            "a shot shows no image of the map: the texture is read out of range"
+        }
+    }
+
+    /// What is wrong with the camera.
+    fn camera(&self) -> Vec<String> {
+        let Grade { camera, field_of_view, .. } = self.grade;
+        let mut sentences = Vec::new();
+        if let Some(angle) = field_of_view {
+            sentences.push(format!("the camera sees {angle:.0}° where it should see 90°"));
+        }
+        if *camera != CameraFault::NONE {
+            sentences.push(describe(*camera));
+        }
+        sentences
+    }
+
+    /// What else the same pictures may come from, and what is left open.
+    fn notes(&self) -> Vec<String> {
+        let mut notes = Vec::new();
+        if self.grade.undivided {
+            notes.push(
+                "each picture shows only the middle of its image, enlarged, as code does that takes the components of a unit \
+                 direction without dividing them; images and orientations are told as if it had divided"
+                    .to_owned(),
+            );
+        }
+        notes.extend(
+            self.grade.alternatives.iter().map(|alternative| other_explanation(alternative, &self.grade.faces)),
+        );
+        for face in &self.grade.faces {
+            if face.possible.len() > 1 {
+                notes.push(undecided(face));
+            }
+            if let Some(misfit) = face.misfit {
+                notes.push(format!("shot {}: {}", face.shot.name(), out_of_range(misfit)));
+            }
+        }
+        notes
+    }
+
+    /// `posx   image negx, flipped left-right`.
+    fn shot_line(&self, face: &FaceGrade) -> String {
+        let mark = match face {
+            _ if face.misfit.is_some() => "fits no orientation of any image".to_owned(),
+            _ if face.is_wrong() => format!("should read {}", face.right().image.name()),
+            _ if face.is_decided() => "right".to_owned(),
+            _ => "undecided".to_owned(),
+        };
+        let Some(placement) = face.placement() else {
+            return format!("{}   {:<7}  ?        ?            {mark}", face.shot.name(), face.face.signed_name());
+        };
+        let (u, v) = placement.orientation.formulas();
+        let reads = format!("({u}, {v})");
+        let wrong = match (face.is_wrong(), placement.image == face.expected) {
+            (true, true) => {
+                // What their orientation did to the image as it should be seen.
+                let operation = placement.orientation.image_operation(self.v_origin).name();
+                format!("wrong: {operation}{}", if face.is_decided() { "" } else { " (or another of its ties)" })
+            }
+            _ => mark,
+        };
+        let (shot, name) = (face.shot.name(), face.face.signed_name());
+        format!("{shot}   {name:<7}  {:<7}  {reads:<11}  {wrong}", placement.image.name())
+    }
+}
+
+impl fmt::Display for GradeReport<'_> {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let because = if self.lookup_given { "" } else { ", by which it is judged because --lookup was not given" };
+        writeln!(
+            formatter,
+            "shots of {} by your code, which should have the lookup {} (world up {}){because}",
+            self.map, self.lookup, self.world_up
+        )?;
+        writeln!(formatter, "\nshot   sees     image    reads")?;
+        let mut faces: Vec<&FaceGrade> = self.grade.faces.iter().collect();
+        faces.sort_by_key(|face| face.shot);
+        for face in faces {
+            writeln!(formatter, "{}", self.shot_line(face))?;
+        }
+        writeln!(formatter, "\n{}", self.verdict())?;
+        for sentence in self.camera() {
+            writeln!(formatter, "  {sentence}")?;
+        }
+        if let Some(reading) = &self.grade.preset {
+            writeln!(formatter, "  {}", preset(reading, self.grade.camera, self.world_up))?;
+        }
+        if self.grade.undivided {
+            writeln!(formatter, "    all cases: {DIVISION}")?;
+        }
+        for face in self.grade.faces.iter().filter(|face| face.is_wrong()) {
+            writeln!(formatter, "    {}", repair(face))?;
+        }
+        for note in self.notes() {
+            writeln!(formatter, "note: {note}")?;
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,7 @@
+//! What `skycube stress` says and draws.
+
+mod plot;
+mod report;
+
+pub use plot::draw_stress;
+pub use report::StressReport;
