@@ -17,8 +17,8 @@ use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
 use crate::picture::Picture;
 
-/// A lookup table: DESIGN's "per face the image it reads, the signed axis of u, the signed axis of v; and once for
-/// the table where v = 0 lies". The tracer, the baker and every check go through it.
+/// A lookup table, as the head of [`envmap`](super) describes it: per face the image it reads, the signed axis of u, the
+/// signed axis of v; and once for the table where v = 0 lies. The tracer, the baker and every check go through it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Lookup {
     faces: [FaceLookup; 6],
@@ -187,8 +187,8 @@ impl Lookup {
 
     /// True if the face shows its picture mirrored to an observer inside the cube of a right-handed world.
     ///
-    /// With r the direction of growing u and t the direction from the bottom to the top of the image, r x t points
-    /// back at the viewer when a photograph taken looking outwards is seen right (DESIGN, "Handedness").
+    /// With r the direction of growing u and t the direction from the bottom to the top of the image, r x t points back
+    /// at the viewer when a photograph taken looking outwards is seen right: see "Handedness" in [`envmap`](super).
     pub fn mirrors(&self, face: Face) -> bool {
         let row = self.faces[face.index()];
         let towards_top = match self.v_origin {
