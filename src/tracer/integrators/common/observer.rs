@@ -23,6 +23,7 @@ impl Observer for Blind {
 /// Keeps everything.
 #[derive(Debug, Default)]
 pub struct Recorder {
+    /// In the order in which they happened.
     pub events: Vec<Event>,
 }
 
@@ -35,8 +36,11 @@ impl Observer for Recorder {
 /// Why a ray is traced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RayKind {
+    /// From the camera.
     Camera,
+    /// By reflection at a mirror or glass.
     Reflected,
+    /// Through glass.
     Refracted,
     /// The next ray of a random path.
     Scattered,
@@ -58,6 +62,7 @@ pub enum LightOutcome {
         ray: Ray,
         distance: f64,
     },
+    /// Nothing is in between.
     Free {
         ray: Ray,
         distance: f64,
@@ -83,6 +88,7 @@ pub enum Event {
     },
     /// It hit nothing, and nothing is taken: black.
     Nothing,
+    /// It hit a surface; `transmittance` is what glass on the way leaves of the surface's light.
     Hit {
         surface: Surface,
         side: Side,
