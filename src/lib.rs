@@ -1,5 +1,45 @@
 //! skycube: a small, complete ray tracer for teaching, and a validator for skyboxes.
 //!
+//! Render a scene:
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use skycube::picture::{self, WriteOptions};
+//! use skycube::render::{Silent, render};
+//! use skycube::scene::{Plan, Scene};
+//!
+//! let mut scene = Scene::read(Path::new("lessons/04-whitted/glass-depth-10.toml"))?;
+//! scene.camera = scene.camera.resized([48, 30]);
+//! scene.samples = 1;
+//! let plan = Plan::new(&scene);
+//! let rendering = render(&scene, &plan, &Silent)?;
+//! let target = std::env::temp_dir().join("skycube-example.exr");
+//! picture::write(&rendering.raster, &target, &WriteOptions::default())?;
+//! # std::fs::remove_file(target).unwrap();
+//! # Ok::<(), skycube::error::Error>(())
+//! ```
+//!
+//! Check a map, and say what its files need:
+//!
+//! ```
+//! use std::path::Path;
+//!
+//! use skycube::envmap::{Preset, source::Skybox};
+//! use skycube::validate::{CheckOptions, ImageFacts, Verdict, check, load};
+//!
+//! let skybox = Skybox::open(Path::new("envmaps/hall"))?;
+//! let map = load(&skybox, Preset::Exercise.lookup())?;
+//! let options = CheckOptions { world_up: "+z".parse().ok(), ..CheckOptions::default() };
+//! let check = check(&map, ImageFacts::of_skybox(&skybox), &options)?;
+//! assert_eq!(check.verdict, Verdict::Broken);
+//! for fix in check.fix.faces.iter().filter(|fix| !fix.is_unchanged(map.lookup())) {
+//!     let (u, v) = fix.orientation.formulas();
+//!     println!("{} reads {} at u = {u}, v = {v}", fix.face.name(), fix.image.name());
+//! }
+//! # Ok::<(), skycube::error::Error>(())
+//! ```
+//!
 //! Read the modules in this order; none knows those below it. They make four packages, each with its own table of
 //! contents, so that only code that has to be fast takes the compiler's time to make it fast:
 //!

@@ -12,10 +12,11 @@ use skycube::scene::Plan;
 
 use Face::{NegX, NegY, NegZ, PosX, PosY, PosZ};
 
-/// DESIGN's renaming: the image that each shot shows as it is in the file, in a z-up world through `humus-z-up`.
+/// The renaming in `envmap/conventions.md`: the image that each shot shows as it is in the file, in a z-up world through
+/// `humus-z-up`.
 const Z_UP: [(Face, Face); 6] = [(PosX, PosX), (NegX, NegX), (PosY, PosZ), (NegY, NegZ), (PosZ, PosY), (NegZ, NegY)];
 
-/// In a y-up world through `humus-y-up`: the camera's forward -z reads posz and +z reads negz (DESIGN). The others keep
+/// In a y-up world through `humus-y-up`: the camera's forward -z reads posz and +z reads negz. The others keep
 /// their names, and all six stand as in the file. +y by hand: `opengl` lays posy with u along +x and v (down) along
 /// +z; for the direction (x, y, -z) that is right = +x and down = -z, so the top of the image lies at +z, which is the
 /// up of that shot, and its right is +y x +z = +x.

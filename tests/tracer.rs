@@ -48,7 +48,8 @@ impl Numbers {
     }
 }
 
-/// The texel that a direction reads under the lookup `course`, written out by hand from DESIGN's table.
+/// The texel that a direction reads under the lookup `course`, written out by hand from the table in
+/// `envmap/conventions.md`.
 fn texel_by_hand(d: DVec3, size: f64) -> (usize, usize, usize) {
     let m = d.abs().max_element();
     let (face, u, v) = if d.x.abs() == m {

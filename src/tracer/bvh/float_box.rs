@@ -5,7 +5,9 @@ use crate::math::{Bounds, DVec3, Vec3};
 /// An axis-aligned box in `f32`, half the size of [`Bounds`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FloatBox {
+    /// The corner with the smallest coordinates.
     pub minimum: Vec3,
+    /// The corner with the largest coordinates.
     pub maximum: Vec3,
 }
 

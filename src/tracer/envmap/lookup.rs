@@ -17,8 +17,8 @@ use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
 use crate::picture::Picture;
 
-/// A lookup table: DESIGN's "per face the image it reads, the signed axis of u, the signed axis of v; and once for
-/// the table where v = 0 lies". The tracer, the baker and every check go through it.
+/// A lookup table, as the head of [`envmap`](super) describes it: per face the image it reads, the signed axis of u, the
+/// signed axis of v; and once for the table where v = 0 lies. The tracer, the baker and every check go through it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Lookup {
     faces: [FaceLookup; 6],

@@ -1,4 +1,6 @@
 //! Environment maps: the faces of a cube, the lookup, where their pictures come from.
+//!
+#![doc = include_str!("conventions.md")]
 
 mod axis;
 mod background;

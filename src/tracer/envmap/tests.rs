@@ -99,3 +99,20 @@ fn a_sample_decodes_what_it_reaches_and_is_black_where_that_fails() {
     assert_eq!((map.errors().count(), colours[1]), (1, Vec3::ZERO));
     assert!(colours[0] == colours[2] && colours[0] != Vec3::ZERO);
 }
+
+/// The table that students read is the one that the tracer uses.
+#[test]
+fn the_presets_are_the_table_of_the_conventions() {
+    let page = include_str!("conventions.md").replace('\u{2212}', "-");
+    let rows: Vec<Vec<&str>> = page.lines().map(|line| line.split('|').map(str::trim).collect()).collect();
+    for preset in [Preset::Opengl, Preset::Exercise, Preset::Course] {
+        let name = format!("`{}`", preset.name());
+        let row = rows.iter().find(|row| row.len() == 10 && row[1] == name).expect("a row of eight cells");
+        let lookup = preset.lookup();
+        assert_eq!(row[2], if lookup.v_origin() == VOrigin::Top { "top" } else { "bottom" }, "{name}");
+        for face in Face::ALL {
+            let FaceLookup { image, u, v } = lookup.row(face);
+            assert_eq!((row[3 + face.index()], image), (format!("{u}, {v}").as_str(), face), "{name}");
+        }
+    }
+}

@@ -5,7 +5,9 @@ use super::{DAffine3, DVec3};
 /// An axis-aligned box, `minimum <= maximum` in each component; [`Bounds::EMPTY`] contains nothing.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
+    /// The corner with the smallest coordinates.
     pub minimum: DVec3,
+    /// The corner with the largest coordinates.
     pub maximum: DVec3,
 }
 

@@ -5,8 +5,11 @@ use super::DVec3;
 /// Three unit vectors at right angles, `tangent x bitangent = normal`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Frame {
+    /// The x axis.
     pub tangent: DVec3,
+    /// The y axis.
     pub bitangent: DVec3,
+    /// The z axis.
     pub normal: DVec3,
 }
 

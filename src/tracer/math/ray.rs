@@ -5,7 +5,9 @@ use super::DVec3;
 /// A half line from `origin` along `direction` (unit length up to rounding), world space.
 #[derive(Debug, Clone, Copy)]
 pub struct Ray {
+    /// Where it starts.
     pub origin: DVec3,
+    /// Where it goes: a unit vector up to rounding.
     pub direction: DVec3,
     /// The surface the ray leaves; `None` for camera rays.
     ///
@@ -41,7 +43,9 @@ impl Ray {
 /// The surface that a ray leaves, and to which side.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Departure {
+    /// Which surface.
     pub surface: SurfaceId,
+    /// The side on which the ray goes away.
     pub side: Side,
 }
 
@@ -49,7 +53,9 @@ pub struct Departure {
 /// (triangle of a mesh, face of a box, 0 for shapes of one piece).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct SurfaceId {
+    /// Number of the shape in the scene, from 0.
     pub shape: u32,
+    /// Number of the part in the shape, from 0.
     pub part: u32,
 }
 

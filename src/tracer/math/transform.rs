@@ -6,7 +6,9 @@ use super::{DAffine3, DMat3, DVec3};
 /// An invertible affine map from a shape's own space to the world, with its inverse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Transform {
+    /// From object to world space.
     pub to_world: DAffine3,
+    /// From world to object space: its inverse.
     pub to_object: DAffine3,
 }
 

@@ -74,7 +74,7 @@ mod tests {
         AxisShot::all(world_up.parse().unwrap()).map(|shot| shot.up.to_string()).join(" ")
     }
 
-    /// Along +x -x +y -y +z -z; the first two lines are DESIGN's.
+    /// Along +x -x +y -y +z -z; the first two lines are those of `conventions.md`.
     #[test]
     fn the_table_at_the_top() {
         assert_eq!(ups("+z"), "+z +z +z +z -y +y");

@@ -23,6 +23,7 @@ impl Observer for Blind {
 /// Keeps everything.
 #[derive(Debug, Default)]
 pub struct Recorder {
+    /// In the order in which they happened.
     pub events: Vec<Event>,
 }
 
@@ -35,8 +36,11 @@ impl Observer for Recorder {
 /// Why a ray is traced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RayKind {
+    /// From the camera.
     Camera,
+    /// By reflection at a mirror or glass.
     Reflected,
+    /// Through glass.
     Refracted,
     /// The next ray of a random path.
     Scattered,
@@ -46,99 +50,44 @@ pub enum RayKind {
 #[derive(Debug, Clone, Copy)]
 pub enum LightOutcome {
     /// Ambient light, unshadowed.
-    Ambient {
-        contribution: Vec3,
-    },
+    Ambient { contribution: Vec3 },
     /// The light sends nothing here: outside the cone of a spot.
     Unreached,
     /// The surface faces away from it, or the material reflects nothing from there.
     Behind,
     /// Something is in between.
-    Blocked {
-        ray: Ray,
-        distance: f64,
-    },
-    Free {
-        ray: Ray,
-        distance: f64,
-        cosine: f64,
-        contribution: Vec3,
-    },
+    Blocked { ray: Ray, distance: f64 },
+    /// Nothing is in between.
+    Free { ray: Ray, distance: f64, cosine: f64, contribution: Vec3 },
 }
 
 /// A step of an integrator. What is between `Ray` and its `End` belongs to that ray.
 #[derive(Debug, Clone, Copy)]
 pub enum Event {
     /// A ray sets out; what it finds counts `factor` for what sent it out.
-    Ray {
-        kind: RayKind,
-        ray: Ray,
-        factor: Vec3,
-    },
+    Ray { kind: RayKind, ray: Ray, factor: Vec3 },
     /// It hit nothing and took the environment; `transmittance` is what is left of it through glass.
-    Missed {
-        direction: DVec3,
-        environment: Vec3,
-        transmittance: Vec3,
-    },
+    Missed { direction: DVec3, environment: Vec3, transmittance: Vec3 },
     /// It hit nothing, and nothing is taken: black.
     Nothing,
-    Hit {
-        surface: Surface,
-        side: Side,
-        shading_normal: DVec3,
-        distance: f64,
-        cosine: f64,
-        transmittance: Vec3,
-    },
+    /// It hit a surface; `transmittance` is what glass on the way leaves of the surface's light.
+    Hit { surface: Surface, side: Side, shading_normal: DVec3, distance: f64, cosine: f64, transmittance: Vec3 },
     /// The colour that a surface shows by itself.
-    Own {
-        what: &'static str,
-        colour: Vec3,
-    },
+    Own { what: &'static str, colour: Vec3 },
     /// Number of the light in the scene.
-    Light {
-        number: usize,
-        outcome: LightOutcome,
-    },
+    Light { number: usize, outcome: LightOutcome },
     /// What Fresnel's equations give at a smooth glass.
-    Fresnel {
-        index_before: f64,
-        index_beyond: f64,
-        reflectance: f64,
-        cos_transmitted: Option<f64>,
-    },
+    Fresnel { index_before: f64, index_beyond: f64, reflectance: f64, cos_transmitted: Option<f64> },
     /// A branch is not followed: its depth.
-    CutByDepth {
-        kind: RayKind,
-        depth: u32,
-    },
+    CutByDepth { kind: RayKind, depth: u32 },
     /// A branch is not followed by a random decision.
-    CutByWeight {
-        kind: RayKind,
-        weight: f32,
-    },
+    CutByWeight { kind: RayKind, weight: f32 },
     /// A light with an extent was drawn, and counts with the weight of multiple importance sampling.
-    SampledLight {
-        ray: Ray,
-        density: f64,
-        weight: f32,
-        radiance: Option<Vec3>,
-    },
+    SampledLight { ray: Ray, density: f64, weight: f32, radiance: Option<Vec3> },
     /// A direction was drawn to go on.
-    Scattered {
-        specular: bool,
-        transmitted: bool,
-        density: f64,
-        weight: Vec3,
-    },
+    Scattered { specular: bool, transmitted: bool, density: f64, weight: Vec3 },
     /// Light found was added to the pixel: what the path carried to here times what arrives.
-    Added {
-        what: &'static str,
-        contribution: Vec3,
-    },
+    Added { what: &'static str, contribution: Vec3 },
     /// The ray is done: what it brought back; `None` where the path adds to the pixel instead.
-    End {
-        radiance: Option<Vec3>,
-    },
+    End { radiance: Option<Vec3> },
 }

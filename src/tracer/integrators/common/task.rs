@@ -7,21 +7,28 @@ use crate::scene::{Plan, Scene};
 
 /// What a ray of the camera is traced with.
 pub struct Task<'a, O> {
+    /// What is rendered.
     pub scene: &'a Scene,
+    /// What of it needs to be computed.
     pub plan: &'a Plan,
     /// Delivers the random decisions.
     pub sampler: &'a mut PixelSampler,
     /// Grow by what is traced.
     pub counts: &'a mut RayCounts,
+    /// Is told of every step.
     pub observer: &'a mut O,
 }
 
 /// Rays traced, by purpose, and what was cut.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize)]
 pub struct RayCounts {
+    /// Rays from the camera.
     pub camera: u64,
+    /// Rays sent on by reflection; of the path tracer, all rays sent on from a surface but the refracted.
     pub reflected: u64,
+    /// Rays sent on through glass.
     pub refracted: u64,
+    /// Rays to light sources.
     pub shadow: u64,
     /// Rays that hit nothing and took the environment.
     pub environment: u64,

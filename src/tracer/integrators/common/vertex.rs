@@ -8,11 +8,15 @@ use crate::shapes::Surface;
 
 /// A surface where a path arrived.
 pub struct Vertex<'s> {
+    /// Where it is.
     pub surface: Surface,
+    /// The side and the normals that the path sees.
     pub view: View,
+    /// The shading normal and two axes at right angles to it.
     pub frame: Frame,
     /// Towards where the path came from, in the frame; above the surface.
     pub towards_viewer: DVec3,
+    /// What the surface does with light.
     pub scattering: Scattering<'s>,
 }
 
