@@ -3,7 +3,7 @@
 use super::explanation::{Evidence, FaceGrade, wrong};
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
 use crate::envmap::{Face, Orientation, Preset};
-use crate::validate::convention;
+use crate::validate::search::convention;
 
 /// Another way to explain the same pictures.
 #[derive(Debug, Clone, PartialEq)]

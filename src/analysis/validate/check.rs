@@ -1,14 +1,14 @@
 //! The check of one map, from its pictures to the verdict.
 
-use super::arrangement::{Arrangement, Puzzle};
-use super::border::{Borders, read_borders};
-use super::convention::{self, Convention};
-use super::edge::EdgeBorders;
+use super::borders::border::{Borders, read_borders};
+use super::borders::edge::EdgeBorders;
+use super::borders::pair_cost::PairCosts;
 use super::foreign::{self, Foreign};
-use super::handedness::mirrored_faces;
 use super::notes::{self, Note};
-use super::pair_cost::PairCosts;
 use super::seam::{self, Seam};
+use super::search::arrangement::{Arrangement, Puzzle};
+use super::search::convention::mirrored_faces;
+use super::search::convention::{self, Convention};
 use super::sky;
 use super::solve::{Question, Solution, UNRELATED, corrected};
 use crate::envmap::source::Skybox;

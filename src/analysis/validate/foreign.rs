@@ -1,9 +1,9 @@
 //! Faces whose image belongs to no place in the map: another scene, one flat colour, a copy of another face.
 
-use super::arrangement::{Arrangement, Puzzle};
-use super::border::Borders;
-use super::edge::Edge;
+use super::borders::border::Borders;
+use super::borders::edge::Edge;
 use super::seam::{UNDECIDED_SEAM, measure};
+use super::search::arrangement::{Arrangement, Puzzle};
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
 
@@ -168,7 +168,7 @@ fn pattern_cost(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
 }
 
 /// How far the brightness along the borders of a face agrees with that along its neighbours', in the orientation that agrees most:
-/// see [`super::agreement`].
+/// see [`super::borders::agreement`].
 fn agreement(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
     let along = |laid: &Arrangement, edge: usize| {
         let (images, borders) = puzzle.ends(laid, edge);

@@ -3,12 +3,12 @@
 use std::fmt;
 
 use super::Verdict;
-use super::border::Borders;
+use super::borders::border::Borders;
+use super::borders::edge::{Border, Edge, Side};
 use super::check::{Check, CheckOptions};
-use super::convention::Convention;
-use super::edge::{Border, Edge, Side};
 use super::foreign::Reason;
-use super::handedness::mirrored_faces;
+use super::search::convention::Convention;
+use super::search::convention::mirrored_faces;
 use crate::envmap::{Face, SignedAxis};
 
 /// A remark in the report. None of them makes a map broken, except [`Note::Foreign`], which says why it is.

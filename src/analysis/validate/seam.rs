@@ -1,9 +1,9 @@
 //! The seams as the report shows them: step, detail, score and verdict of the twelve edges.
 
 use super::Verdict;
-use super::arrangement::{Arrangement, Puzzle};
-use super::border::{ImageBorders, Row, mean_step};
-use super::edge::{Border, Edge};
+use super::borders::border::{ImageBorders, Row, mean_step};
+use super::borders::edge::{Border, Edge};
+use super::search::arrangement::{Arrangement, Puzzle};
 
 /// One edge under one lookup.
 #[derive(Debug, Clone, PartialEq)]

@@ -1,8 +1,8 @@
 //! Where the sky seems to be: a hint from brightness and detail, never a verdict.
 
-use super::arrangement::{Arrangement, Puzzle};
-use super::border::{Borders, display_of_map};
-use super::search::{Freedom, cheapest};
+use super::borders::border::{Borders, display_of_map};
+use super::search::arrangement::{Arrangement, Puzzle};
+use super::search::branch_and_bound::{Freedom, cheapest};
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
 use crate::math::functions::logarithm;

@@ -4,8 +4,8 @@
 //! for, the cheapest pair of borders that could meet there; with that bound most of the 8^6 orientations are never
 //! visited, and of the 6! 8^6 arrangements a few thousand.
 
+use super::super::borders::edge::Edge;
 use super::arrangement::{Arrangement, Puzzle};
-use super::edge::Edge;
 use crate::envmap::Face;
 
 /// What the search may change.
@@ -132,8 +132,8 @@ fn least_between_any(puzzle: &Puzzle) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::edge::EdgeBorders;
-    use super::super::pair_cost::PairCosts;
+    use super::super::super::borders::edge::EdgeBorders;
+    use super::super::super::borders::pair_cost::PairCosts;
     use super::*;
     use crate::envmap::Preset;
 

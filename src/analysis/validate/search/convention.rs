@@ -124,3 +124,8 @@ impl fmt::Display for Convention {
         })
     }
 }
+
+/// The faces that show their pictures mirrored to an observer in a right-handed world.
+pub fn mirrored_faces(lookup: &Lookup) -> Vec<Face> {
+    Face::ALL.into_iter().filter(|&face| lookup.mirrors(face)).collect()
+}

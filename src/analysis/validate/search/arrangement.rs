@@ -1,7 +1,7 @@
 //! A way to lay six images on the faces of the cube.
 
-use super::edge::{Edge, EdgeBorders};
-use super::pair_cost::{PairCosts, UNITS, Units, border_index};
+use super::super::borders::edge::{Edge, EdgeBorders};
+use super::super::borders::pair_cost::{PairCosts, UNITS, Units, border_index};
 use crate::envmap::{Face, Orientation};
 
 /// Per face the image it reads and how that is laid, relative to the given lookup.
@@ -53,7 +53,11 @@ impl Puzzle {
     }
 
     /// The images and borders that meet at an edge.
-    pub fn ends(&self, arrangement: &Arrangement, edge: usize) -> ([Face; 2], [super::edge::Border; 2]) {
+    pub fn ends(
+        &self,
+        arrangement: &Arrangement,
+        edge: usize,
+    ) -> ([Face; 2], [super::super::borders::edge::Border; 2]) {
         let Edge { first, second } = Edge::ALL[edge];
         let faces = [first.index(), second.index()];
         let borders = self.borders.at(edge, faces.map(|face| arrangement.orientations[face]));

@@ -20,7 +20,7 @@ const STRONG_LOSS: f64 = 0.12;
 /// the same way. Logarithms of likelihood of the two together: of n standard errors n^2 / 2, and the agreement. Each
 /// must tell something. A clear sky whose turned faces were stored at JPEG quality 50 reaches 0.9 standard errors for a wrong
 /// orientation by chance, so the least number of them protects from little: what protects is the agreement, which counts only
-/// what two patterns do not have in common ([`super::agreement`]), and the sum of both.
+/// what two patterns do not have in common ([`super::super::borders::agreement`]), and the sum of both.
 const TOGETHER: f64 = 5.5;
 const SOME_AGREEMENT: f64 = 3.0;
 const SOME_STANDARD_ERRORS: f64 = 0.5;
