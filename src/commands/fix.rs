@@ -52,11 +52,11 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
             super::remark(format_args!("nothing to fix: the faces fit as they are\n"));
         }
     }
-    for note in check.notes.iter().take(check.foreign.len()) {
+    for note in check.notes.iter().take(check.outliers.len()) {
         super::remark(format_args!("not mended: {note}\n"));
     }
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
-    if check.verdict == Verdict::Broken && check.foreign.is_empty() {
+    if check.verdict == Verdict::Broken && check.outliers.is_empty() {
         for fix in undecided {
             super::remark(format_args!("left as it is: the pixels do not tell how {} must be laid\n", fix.face.name()));
         }
@@ -66,7 +66,7 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
             "undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"
         ));
     }
-    Ok(if check.foreign.is_empty() { Outcome::Clean } else { Outcome::Faults })
+    Ok(if check.outliers.is_empty() { Outcome::Clean } else { Outcome::Faults })
 }
 
 fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {

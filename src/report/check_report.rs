@@ -37,14 +37,14 @@ impl<'a> CheckReport<'a> {
 
     /// The report in one line: verdict, and what to do.
     pub fn line(&self) -> String {
-        let Check { verdict, fix, foreign, notes, .. } = self.check;
+        let Check { verdict, fix, outliers, notes, .. } = self.check;
         let mut what = match fix.convention {
             _ if *verdict != Verdict::Broken => Vec::new(),
             Some(convention) => vec![convention.to_string()],
             None => self.changed().map(|face| self.change(face)).collect(),
         };
         // The first notes are those on faces that do not belong, which no change mends.
-        what.extend(notes.iter().take(foreign.len()).map(ToString::to_string));
+        what.extend(notes.iter().take(outliers.len()).map(ToString::to_string));
         let separator = if what.is_empty() { "" } else { ": " };
         format!("{}: {}{separator}{}", self.map, verdict.name(), what.join("; "))
     }
@@ -247,8 +247,8 @@ impl fmt::Display for CheckReport<'_> {
 impl CheckReport<'_> {
     /// How many fixes are as good as the one shown, and why.
     fn equally_good(&self) -> String {
-        let Check { fix, lookup, foreign, .. } = self.check;
-        if !foreign.is_empty() {
+        let Check { fix, lookup, outliers, .. } = self.check;
+        if !outliers.is_empty() {
             return "equally good orientations: not counted, since a face does not belong here".to_owned();
         }
         if fix.equivalents == 1 {

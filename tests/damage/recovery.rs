@@ -129,7 +129,7 @@ impl<'a> Recovery<'a> {
         let check = self.map.damaged(&damage.images, &damage.orientations).check(self.names);
         let done = damage.orientations.map(|orientation| orientation.formulas());
         let found = check.fix.faces.map(|fix| (fix.image.name(), fix.orientation.formulas(), fix.decided));
-        format!("images {:?} laid {done:?}: {:?} {found:?} {:?}", damage.images, check.verdict, check.foreign)
+        format!("images {:?} laid {done:?}: {:?} {found:?} {:?}", damage.images, check.verdict, check.outliers)
     }
 
     /// The outcome if these original images are undecided and do not lie as in the original.

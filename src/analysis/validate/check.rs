@@ -3,14 +3,14 @@
 use super::borders::border::{Borders, read_borders};
 use super::borders::edge::EdgeBorders;
 use super::borders::pair_cost::PairCosts;
-use super::foreign::{self, Foreign};
 use super::notes::{self, Note};
+use super::outlier::{self, Outlier};
 use super::seam::{self, Seam};
-use super::search::arrangement::{Arrangement, Puzzle};
+use super::search::arrangement::{Arrangement, Problem};
 use super::search::convention::mirrored_faces;
 use super::search::convention::{self, Convention};
 use super::sky;
-use super::solve::{Question, Solution, UNRELATED, corrected};
+use super::solve::{Search, Solution, UNRELATED, corrected};
 use crate::envmap::source::Skybox;
 use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, SignedAxis};
 use crate::error::Result;
@@ -103,7 +103,7 @@ pub struct Check {
     pub seams: Vec<Seam>,
     pub fix: Fix,
     /// Faces whose image belongs to no place in this map.
-    pub foreign: Vec<Foreign>,
+    pub outliers: Vec<Outlier>,
     /// The faces that the given lookup shows mirrored in a right-handed world.
     pub mirrored: Vec<Face>,
     pub notes: Vec<Note>,
@@ -169,26 +169,26 @@ pub fn load(skybox: &Skybox, lookup: Lookup) -> Result<CubeMap> {
 pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> Result<Check> {
     let lookup = *map.lookup();
     let borders = read_borders(map)?;
-    let puzzle = Puzzle { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
+    let problem = Problem { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
     let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
-    let sky = if options.world_up.is_some() { sky::hint(map, &borders, &puzzle)? } else { None };
-    let question = Question { map, images: &borders, puzzle: &puzzle, lookup: &lookup, options, quake_names, sky };
-    let (solution, turn) = question.solve_and_turn()?;
+    let sky = if options.world_up.is_some() { sky::hint(map, &borders, &problem)? } else { None };
+    let search = Search { map, images: &borders, problem: &problem, lookup: &lookup, options, quake_names, sky };
+    let (solution, turn) = search.solve_and_turn()?;
 
     let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
     let found = solution.arrangement;
-    let foreign: Vec<Foreign> = solution.foreign.into_iter().collect();
-    let strangers: Vec<Face> = foreign.iter().map(|foreign| foreign.face).collect();
-    let seams = |arrangement: &Arrangement| seam::seams(&puzzle, &borders, arrangement, &found, &strangers);
+    let outliers: Vec<Outlier> = solution.outlier.into_iter().collect();
+    let outlying: Vec<Face> = outliers.iter().map(|outlier| outlier.face).collect();
+    let seams = |arrangement: &Arrangement| seam::seams(&problem, &borders, arrangement, &found, &outlying);
     let fix = fix_of(&solution, &given, seams(&found));
     let mut check = Check {
         images,
         lookup,
         lookup_name: options.lookup_name.clone(),
-        verdict: verdict(&puzzle, &borders, &solution, &given),
+        verdict: verdict(&problem, &borders, &solution, &given),
         seams: seams(&given),
         fix,
-        foreign,
+        outliers,
         mirrored: mirrored_faces(&lookup),
         notes: Vec::new(),
     };
@@ -220,13 +220,13 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
 
 /// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels of at least half of
 /// the faces tell most orientations from the one found, what is found looks like a map at all, and no face gapes.
-fn verdict(puzzle: &Puzzle, borders: &Borders, solution: &Solution, given: &Arrangement) -> Verdict {
+fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, given: &Arrangement) -> Verdict {
     let found = &solution.arrangement;
-    if found != given || solution.foreign.is_some() {
+    if found != given || solution.outlier.is_some() {
         return Verdict::Broken;
     }
-    let related = puzzle.mean_fit(found) < UNRELATED;
-    let gapes = |&face: &Face| foreign::gapes(puzzle, borders, found, face);
+    let related = problem.mean_fit(found) < UNRELATED;
+    let gapes = |&face: &Face| outlier::gapes(problem, borders, found, face);
     let tells = related && solution.telling_faces() >= 3 && !Face::ALL.iter().any(gapes);
     if tells && !solution.unsettled { Verdict::Fits } else { Verdict::Undecidable }
 }

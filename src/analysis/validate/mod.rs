@@ -3,19 +3,19 @@
 //!
 //! 1. [`borders`] reads four rows of texels along each side of each image, two deeper ones and, of JPEG files, the two at the
 //!    first block boundary. Seams and orientations are judged by nothing else. Whole pictures are read to see whether two are the
-//!    same ([`foreign`]), whether one is symmetric ([`solve`]), and, on a grid, where the sky is ([`sky`]).
+//!    same ([`outlier`]), whether one is symmetric ([`solve`]), and, on a grid, where the sky is ([`sky`]).
 //! 2. [`borders::pair_cost`] says what it costs to let one border continue another, for all pairs, once.
 //!    [`borders::agreement`] says the same of the patterns along them, by rank: robust where compression hides the rest.
 //! 3. [`search::branch_and_bound`] finds the cheapest way to lay the images on the faces: exactly, by branch and bound.
 //! 4. [`search::evidence`] says whether one way is decisively better than another, [`solve`] picks the simplest of those that
-//!    are equally good and leaves alone what the pixels do not decide, [`foreign`] finds faces that fit nowhere.
+//!    are equally good and leaves alone what the pixels do not decide, [`outlier`] finds faces that fit nowhere.
 //!
 //! Data only: this module neither prints nor draws.
 
 mod borders;
 mod check;
-mod foreign;
 mod notes;
+mod outlier;
 mod seam;
 pub(crate) mod search;
 mod sky;
@@ -23,8 +23,8 @@ mod solve;
 
 pub use borders::edge::{Edge, Side};
 pub use check::{Check, CheckOptions, FaceFix, Fix, ImageFacts, Names, Verdict, check, load};
-pub use foreign::{Foreign, Reason};
 pub use notes::Note;
+pub use outlier::{Outlier, Reason};
 pub use seam::Seam;
 pub use search::convention::Convention;
 pub use search::convention::mirrored_faces;

@@ -6,15 +6,15 @@ use super::Verdict;
 use super::borders::border::Borders;
 use super::borders::edge::{Border, Edge, Side};
 use super::check::{Check, CheckOptions};
-use super::foreign::Reason;
+use super::outlier::Reason;
 use super::search::convention::Convention;
 use super::search::convention::mirrored_faces;
 use crate::envmap::{Face, SignedAxis};
 
-/// A remark in the report. None of them makes a map broken, except [`Note::Foreign`], which says why it is.
+/// A remark in the report. None of them makes a map broken, except [`Note::Outlier`], which says why it is.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
-    Foreign {
+    Outlier {
         face: Face,
         file: String,
         reason: Reason,
@@ -78,10 +78,10 @@ pub fn collect(
     sky: Option<(Face, Option<Convention>)>,
 ) -> Vec<Note> {
     let mut notes = Vec::new();
-    for foreign in &check.foreign {
-        let image = check.fix.faces[foreign.face.index()].image;
+    for outlier in &check.outliers {
+        let image = check.fix.faces[outlier.face.index()].image;
         let file = check.images[image.index()].file.clone();
-        notes.push(Note::Foreign { face: foreign.face, file, reason: foreign.reason });
+        notes.push(Note::Outlier { face: outlier.face, file, reason: outlier.reason });
     }
     pictures(check, borders, &mut notes);
     notes.extend(exposures(check, borders));
@@ -110,7 +110,7 @@ fn exposures(check: &Check, borders: &Borders) -> Vec<Note> {
     };
     let lookup = check.fix.lookup(&check.lookup);
     let mut notes = Vec::new();
-    for face in Face::ALL.into_iter().filter(|&face| check.foreign.iter().all(|foreign| foreign.face != face)) {
+    for face in Face::ALL.into_iter().filter(|&face| check.outliers.iter().all(|outlier| outlier.face != face)) {
         let offset = |edge: &Edge| {
             let other = if edge.first == face { edge.second } else { edge.first };
             let side = |of: Face, towards: Face| Border::of_face(lookup.row(of), of, towards).side;
@@ -143,8 +143,8 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
             notes.push(Note::Identical { images: [Face::ALL[one], Face::ALL[other]] });
         }
     }
-    let stranger = |image: Face| check.foreign.iter().any(|one| check.fix.faces[one.face.index()].image == image);
-    let flat = Face::ALL.into_iter().filter(|&image| borders[image.index()].is_flat() && !stranger(image));
+    let outlier = |image: Face| check.outliers.iter().any(|one| check.fix.faces[one.face.index()].image == image);
+    let flat = Face::ALL.into_iter().filter(|&image| borders[image.index()].is_flat() && !outlier(image));
     notes.extend(flat.map(|image| Note::Flat { image }));
     let alpha: Vec<Face> = check.images.iter().filter(|facts| facts.alpha).map(|facts| facts.face).collect();
     if !alpha.is_empty() {
@@ -155,7 +155,7 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
 /// Seams that are rough although the map fits, or would once it is fixed.
 fn rough(check: &Check, notes: &mut Vec<Note>) {
     const ROUGH: f64 = 3.0;
-    if !check.foreign.is_empty() || check.verdict == Verdict::Undecidable {
+    if !check.outliers.is_empty() || check.verdict == Verdict::Undecidable {
         return;
     }
     let rough: Vec<f64> =
@@ -177,8 +177,8 @@ fn names(faces: &[Face]) -> String {
 impl fmt::Display for Note {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign { face, file, reason } => {
-                write!(formatter, "{} ({file}) does not belong here: {}", face.name(), why_foreign(*reason))
+            Self::Outlier { face, file, reason } => {
+                write!(formatter, "{} ({file}) does not belong here: {}", face.name(), why_outlier(*reason))
             }
             Self::Framed { image } => {
                 write!(formatter, "{} has a frame one texel wide; the texels inside it were compared", image.name())
@@ -232,7 +232,7 @@ fn rough_seams(seams: usize, step: f64, after_the_fix: bool) -> String {
 const ROUGH_REASONS: &str = "faces were exposed, framed or compressed one by one, the ground is coarse, or an edge of \
                              the scene lies along the seam";
 
-fn why_foreign(reason: Reason) -> String {
+fn why_outlier(reason: Reason) -> String {
     match reason {
         Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
         Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),

@@ -1,7 +1,7 @@
 //! Where the sky seems to be: a hint from brightness and detail, never a verdict.
 
 use super::borders::border::{Borders, display_of_map};
-use super::search::arrangement::{Arrangement, Puzzle};
+use super::search::arrangement::{Arrangement, Problem};
 use super::search::branch_and_bound::{Freedom, cheapest};
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
@@ -12,8 +12,8 @@ const GRID: usize = 24;
 
 /// The images that show sky and ground: opposite each other, the sky brighter and plainer, and clearly more so than
 /// the other two pairs. `None` if the pictures do not tell.
-pub fn hint(map: &CubeMap, borders: &Borders, puzzle: &Puzzle) -> Result<Option<[Face; 2]>> {
-    let laid = cheapest(puzzle, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
+pub fn hint(map: &CubeMap, borders: &Borders, problem: &Problem) -> Result<Option<[Face; 2]>> {
+    let laid = cheapest(problem, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
     let mut heights = [0.0; 6];
     for image in Face::ALL {
         heights[image.index()] = skyness(map, borders, image)?;

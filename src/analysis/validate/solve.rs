@@ -3,8 +3,8 @@
 use super::borders::border::Borders;
 use super::borders::edge::EdgeBorders;
 use super::borders::pair_cost::PairCosts;
-use super::foreign::{self, Foreign, Reason};
-use super::search::arrangement::{Arrangement, Puzzle};
+use super::outlier::{self, Outlier, Reason};
+use super::search::arrangement::{Arrangement, Problem};
 use super::search::branch_and_bound::{Freedom, cheapest};
 use super::search::convention::mirrored_faces;
 use super::search::convention::{self, Convention};
@@ -26,7 +26,7 @@ pub struct Solution {
     /// Arrangements that are equally good, this one among them.
     pub equivalents: usize,
     /// The face whose image does not belong.
-    pub foreign: Option<Foreign>,
+    pub outlier: Option<Outlier>,
     /// True if something is wrong that the pixels show but cannot mend: nothing that would change is decided.
     pub unsettled: bool,
 }
@@ -50,10 +50,10 @@ impl Solution {
 }
 
 /// What the search is about.
-pub struct Question<'a> {
+pub struct Search<'a> {
     pub map: &'a CubeMap,
     pub images: &'a Borders,
-    pub puzzle: &'a Puzzle,
+    pub problem: &'a Problem,
     pub lookup: &'a Lookup,
     pub options: &'a CheckOptions,
     pub quake_names: bool,
@@ -61,7 +61,7 @@ pub struct Question<'a> {
     pub sky: Option<[Face; 2]>,
 }
 
-impl Question<'_> {
+impl Search<'_> {
     pub fn given(&self) -> Arrangement {
         Arrangement::given(Face::ALL.map(|face| self.lookup.row(face).image))
     }
@@ -70,15 +70,15 @@ impl Question<'_> {
     pub fn solve(&self) -> Result<Solution> {
         let (best, any_order) = self.best();
         for arrangement in [self.given(), best] {
-            if let Some((foreign, arrangement)) = self.foreign(&arrangement)? {
-                let image = arrangement.images[foreign.face.index()];
+            if let Some((outlier, arrangement)) = self.outlier(&arrangement)? {
+                let image = arrangement.images[outlier.face.index()];
                 // Were the others wrong too, the face would be one of several that changed places.
-                if self.puzzle.compare_without(&best, &arrangement, &[image]).is_decisive() {
+                if self.problem.compare_without(&best, &arrangement, &[image]).is_decisive() {
                     continue;
                 }
-                let solution = self.around(foreign, &arrangement)?;
+                let solution = self.around(outlier, &arrangement)?;
                 // Equal texels are no matter of chance, whatever the other faces tell.
-                if matches!(foreign.reason, Reason::CopyOf(_)) || solution.tells(&self.given()) {
+                if matches!(outlier.reason, Reason::CopyOf(_)) || solution.tells(&self.given()) {
                     return Ok(solution);
                 }
             }
@@ -87,45 +87,45 @@ impl Question<'_> {
         let (arrangement, convention) = self.simplest(&best, &ties, any_order);
         let alike: usize = ties.iter().map(Vec::len).product();
         let solution = self.solution(arrangement, convention, &[], if any_order { 48 * alike } else { alike })?;
-        let related = self.puzzle.mean_fit(&arrangement) < UNRELATED;
+        let related = self.problem.mean_fit(&arrangement) < UNRELATED;
         if arrangement == self.given() || (related && solution.tells(&self.given())) {
             return Ok(self.keeping_undecided(solution));
         }
         let solution = self.solution(self.given(), None, &[], solution.equivalents)?;
-        Ok(Solution { unsettled: !self.puzzle.ties(&best, &self.given()), ..solution })
+        Ok(Solution { unsettled: !self.problem.ties(&best, &self.given()), ..solution })
     }
 
-    /// The solution around a face that does not belong. What only the seams of strangers would gain is no ground to change
+    /// The solution around a face that does not belong. What only the seams of outliers would gain is no ground to change
     /// anything: the given orientation stands where the others do not decide.
-    fn around(&self, foreign: Foreign, arrangement: &Arrangement) -> Result<Solution> {
-        let (map, puzzle) = (self.map, self.puzzle);
-        let strangers = foreign::strangers(map, puzzle, self.images, arrangement, foreign.face)?;
+    fn around(&self, outlier: Outlier, arrangement: &Arrangement) -> Result<Solution> {
+        let (map, problem) = (self.map, self.problem);
+        let outliers = outlier::outliers(map, problem, self.images, arrangement, outlier.face)?;
         let given = self.given();
-        let needed = puzzle.compare_without(arrangement, &given, &strangers).is_decisive();
+        let needed = problem.compare_without(arrangement, &given, &outliers).is_decisive();
         let found = if needed { *arrangement } else { given };
-        let image = arrangement.images[foreign.face.index()];
-        let face = found.face_of(image).unwrap_or(foreign.face);
-        let solution = self.solution(found, None, &strangers, 1)?;
-        Ok(self.keeping_undecided(Solution { foreign: Some(Foreign { face, ..foreign }), ..solution }))
+        let image = arrangement.images[outlier.face.index()];
+        let face = found.face_of(image).unwrap_or(outlier.face);
+        let solution = self.solution(found, None, &outliers, 1)?;
+        Ok(self.keeping_undecided(Solution { outlier: Some(Outlier { face, ..outlier }), ..solution }))
     }
 
-    fn foreign(&self, arrangement: &Arrangement) -> Result<Option<(Foreign, Arrangement)>> {
-        let found = foreign::find(self.map, self.puzzle, self.images, arrangement)?;
-        let Some((stranger, _)) = &found else { return Ok(None) };
-        if stranger.reason != Reason::AnotherScene {
+    fn outlier(&self, arrangement: &Arrangement) -> Result<Option<(Outlier, Arrangement)>> {
+        let found = outlier::find(self.map, self.problem, self.images, arrangement)?;
+        let Some((outlier, _)) = &found else { return Ok(None) };
+        if outlier.reason != Reason::AnotherScene {
             return Ok(found);
         }
-        // A frame that was seen around some of the images only would make them strangers to the others: the finding
-        // must hold one row further inside all six, and inside the stranger alone.
-        let image = arrangement.images[stranger.face.index()];
+        // A frame that was seen around some of the images only would make them outliers to the others: the finding
+        // must hold one row further inside all six, and inside the outlier alone.
+        let image = arrangement.images[outlier.face.index()];
         for only in [None, Some(image)] {
             let mut within = self.images.clone();
             for inner in Face::ALL.into_iter().filter(|&face| only.is_none_or(|only| only == face)) {
                 within[inner.index()].framed = true;
             }
-            let puzzle = Puzzle { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
-            let again = foreign::find(self.map, &puzzle, &within, arrangement)?;
-            if again.is_none_or(|(other, _)| other.face != stranger.face) {
+            let problem = Problem { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
+            let again = outlier::find(self.map, &problem, &within, arrangement)?;
+            if again.is_none_or(|(other, _)| other.face != outlier.face) {
                 return Ok(None);
             }
         }
@@ -134,14 +134,14 @@ impl Question<'_> {
 
     /// The cheapest arrangement, and whether images changed places for it.
     fn best(&self) -> (Arrangement, bool) {
-        let trusted = cheapest(self.puzzle, &self.given(), Freedom::TRUSTED);
-        let free = || cheapest(self.puzzle, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
+        let trusted = cheapest(self.problem, &self.given(), Freedom::TRUSTED);
+        let free = || cheapest(self.problem, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
         match self.options.names {
             Names::Trusted => (trusted, false),
             Names::AnyOrder => (free(), true),
             Names::Auto => {
                 let free = free();
-                let renames = !self.puzzle.ties(&free, &trusted) || self.sky_is_elsewhere(&trusted);
+                let renames = !self.problem.ties(&free, &trusted) || self.sky_is_elsewhere(&trusted);
                 if renames { (free, true) } else { (trusted, false) }
             }
         }
@@ -151,11 +151,11 @@ impl Question<'_> {
         &self,
         arrangement: Arrangement,
         convention: Option<Convention>,
-        strangers: &[Face],
+        outliers: &[Face],
         equivalents: usize,
     ) -> Result<Solution> {
-        let (excluded, margin) = self.alternatives(&arrangement, strangers)?;
-        Ok(Solution { arrangement, convention, excluded, margin, equivalents, foreign: None, unsettled: false })
+        let (excluded, margin) = self.alternatives(&arrangement, outliers)?;
+        Ok(Solution { arrangement, convention, excluded, margin, equivalents, outlier: None, unsettled: false })
     }
 
     /// By face the orientations that are as good as the best one's, itself first.
@@ -163,7 +163,7 @@ impl Question<'_> {
         Face::ALL.map(|face| {
             let own = best.orientations[face.index()];
             let others = (0..8).filter(|&orientation| orientation != own);
-            let tied = others.filter(|&orientation| self.puzzle.ties(best, &best.with_orientation(face, orientation)));
+            let tied = others.filter(|&orientation| self.problem.ties(best, &best.with_orientation(face, orientation)));
             std::iter::once(own).chain(tied).collect()
         })
     }
@@ -215,7 +215,7 @@ impl Question<'_> {
     ) -> Option<Arrangement> {
         candidates.sort_by_cached_key(|arrangement| self.complexity(arrangement, name(named, arrangement)));
         candidates.dedup();
-        candidates.into_iter().find(|candidate| self.puzzle.ties(best, candidate))
+        candidates.into_iter().find(|candidate| self.problem.ties(best, candidate))
     }
 
     /// Faces that an arrangement changes.
@@ -298,16 +298,16 @@ pub fn corrected(lookup: &Lookup, arrangement: &Arrangement) -> Lookup {
     Lookup::new(rows, lookup.v_origin()).expect("a laid row spans its face")
 }
 
-impl Question<'_> {
+impl Search<'_> {
     /// The solution, and the convention that would turn the sky to where the user says it is. Where the sky lies is a
     /// hint: if the pixels alone ask for no change, it asks for none either.
     pub fn solve_and_turn(&self) -> Result<(Solution, Option<Convention>)> {
         let solution = self.solve()?;
-        if self.sky.is_none() || solution.arrangement == self.given() || solution.foreign.is_some() {
+        if self.sky.is_none() || solution.arrangement == self.given() || solution.outlier.is_some() {
             return Ok((solution, None));
         }
-        let plain = Question { sky: None, ..*self }.solve()?;
-        let stays = plain.arrangement == self.given() && plain.foreign.is_none();
+        let plain = Search { sky: None, ..*self }.solve()?;
+        let stays = plain.arrangement == self.given() && plain.outlier.is_none();
         Ok(if stays { (plain, solution.convention) } else { (solution, None) })
     }
 
@@ -333,17 +333,17 @@ impl Question<'_> {
 
     /// By face the number of other orientations that are decisively worse or show the same picture, and the standard errors by which the best of
     /// all those is worse. The seams of images that do not belong tell nothing, in whatever orientation.
-    pub fn alternatives(&self, found: &Arrangement, strangers: &[Face]) -> Result<([usize; 6], f64)> {
+    pub fn alternatives(&self, found: &Arrangement, outliers: &[Face]) -> Result<([usize; 6], f64)> {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
-        for face in Face::ALL.into_iter().filter(|face| !strangers.contains(&found.images[face.index()])) {
-            let others = if strangers.is_empty() { self.others(found, face) } else { relaid(found, face) };
+        for face in Face::ALL.into_iter().filter(|face| !outliers.contains(&found.images[face.index()])) {
+            let others = if outliers.is_empty() { self.others(found, face) } else { relaid(found, face) };
             for other in others {
-                let comparison = self.puzzle.compare_without(found, &other, strangers);
+                let comparison = self.problem.compare_without(found, &other, outliers);
                 if comparison.is_decisive() {
                     excluded[face.index()] += 1;
                     margin = margin.min(comparison.standard_errors());
-                } else if strangers.is_empty() && self.shows_the_same(found, &other, face)? {
+                } else if outliers.is_empty() && self.shows_the_same(found, &other, face)? {
                     excluded[face.index()] += 1;
                 }
             }
@@ -358,7 +358,7 @@ impl Question<'_> {
         let fixed = |orientation| Freedom { fixed: Some((face, orientation)), ..Freedom::TRUSTED };
         (0..8)
             .filter(|&orientation| orientation != own)
-            .map(|orientation| cheapest(self.puzzle, &base, fixed(orientation)))
+            .map(|orientation| cheapest(self.problem, &base, fixed(orientation)))
             .collect()
     }
 

@@ -35,12 +35,12 @@ impl Arrangement {
 
 /// The map's borders under the given lookup: what all arrangements are judged by.
 #[derive(Debug, Clone)]
-pub struct Puzzle {
+pub struct Problem {
     pub borders: EdgeBorders,
     pub costs: PairCosts,
 }
 
-impl Puzzle {
+impl Problem {
     /// The cost of one edge.
     pub fn edge_cost(&self, arrangement: &Arrangement, edge: usize) -> f64 {
         let (images, borders) = self.ends(arrangement, edge);

@@ -1,6 +1,6 @@
 //! When one arrangement fits decisively better than another.
 
-use super::arrangement::{Arrangement, Comparison, Puzzle};
+use super::arrangement::{Arrangement, Comparison, Problem};
 
 /// Standard errors by which an arrangement must be better.
 const STANDARD_ERRORS: f64 = 3.5;
@@ -46,7 +46,7 @@ impl Comparison {
     }
 }
 
-impl Puzzle {
+impl Problem {
     /// True if `other` is as good as `best`, as far as the pixels can tell.
     pub fn ties(&self, best: &Arrangement, other: &Arrangement) -> bool {
         !self.compare(best, other).is_decisive()

@@ -3,13 +3,13 @@
 use super::borders::border::Borders;
 use super::borders::edge::Edge;
 use super::seam::{UNDECIDED_SEAM, measure};
-use super::search::arrangement::{Arrangement, Puzzle};
+use super::search::arrangement::{Arrangement, Problem};
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
 
 /// A face whose image does not belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Foreign {
+pub struct Outlier {
     pub face: Face,
     pub reason: Reason,
 }
@@ -25,12 +25,12 @@ pub enum Reason {
     AnotherScene,
 }
 
-/// The mean fit of the four seams of a face from which on it is a stranger.
-const STRANGER: f64 = 0.8;
+/// The mean fit of the four seams of a face from which on it is a outlier.
+const OUTLIER: f64 = 0.8;
 /// The same for one of two equal images.
-const STRANGER_COPY: f64 = 0.5;
+const OUTLIER_COPY: f64 = 0.5;
 /// The same for one flat colour, which continues any plain picture but for its brightness.
-const STRANGER_FLAT: f64 = 0.3;
+const OUTLIER_FLAT: f64 = 0.3;
 /// The mean step, of 255 codes, by which the neighbours must end in other colours than a flat face: a flat sky whose
 /// neighbours fade into about its colour is a picture of a flat sky.
 const STEP_TO_FLAT: f64 = 16.0;
@@ -42,26 +42,26 @@ const VISIBLE: f64 = 3.0;
 /// The mean cost, brightness apart, that two unlike patterns have at least.
 const ANOTHER_PATTERN: f64 = 30.0;
 
-/// The agreement of the brightness along its four borders from which on a face is no stranger, however much its colours
-/// differ: a grey face among coloured ones, a face in a frame. Measured: strangers reach 5.3, grey faces 32.
+/// The agreement of the brightness along its four borders from which on a face is no outlier, however much its colours
+/// differ: a grey face among coloured ones, a face in a frame. Measured: outliers reach 5.3, grey faces 32.
 const KINDRED: f64 = 10.0;
 
 /// The face that fits nothing, in any orientation, while the others fit as `arrangement` has them. The image of that face is
 /// left as it is given.
 pub fn find(
     map: &CubeMap,
-    puzzle: &Puzzle,
+    problem: &Problem,
     images: &Borders,
     arrangement: &Arrangement,
-) -> Result<Option<(Foreign, Arrangement)>> {
-    if let Some(copied) = copied(map, puzzle, images, arrangement)? {
+) -> Result<Option<(Outlier, Arrangement)>> {
+    if let Some(copied) = copied(map, problem, images, arrangement)? {
         return Ok(Some(copied));
     }
-    let judged = Face::ALL.map(|face| best_laid(puzzle, arrangement, face));
+    let judged = Face::ALL.map(|face| best_laid(problem, arrangement, face));
     let worst = |a: &usize, b: &usize| judged[*a].1.total_cmp(&judged[*b].1);
     let Some(worst) = (0..6).max_by(worst) else { return Ok(None) };
     let (face, (laid, fit)) = (Face::ALL[worst], &judged[worst]);
-    if mean_fit(puzzle, laid, face, false) > FAMILIAR || mean_score(puzzle, images, laid, face) < VISIBLE {
+    if mean_fit(problem, laid, face, false) > FAMILIAR || mean_score(problem, images, laid, face) < VISIBLE {
         return Ok(None);
     }
     let image = laid.images[worst];
@@ -70,109 +70,109 @@ pub fn find(
         // A copy laid as a mirror image of its original closes the seam between the two, which says nothing.
         Some(other) => {
             let original = laid.face_of(other);
-            (Reason::CopyOf(other), STRANGER_COPY, fit_without(puzzle, arrangement, face, original))
+            (Reason::CopyOf(other), OUTLIER_COPY, fit_without(problem, arrangement, face, original))
         }
-        None if images[image.index()].is_flat() => (Reason::Flat, STRANGER_FLAT, *fit),
-        None => (Reason::AnotherScene, STRANGER, *fit),
+        None if images[image.index()].is_flat() => (Reason::Flat, OUTLIER_FLAT, *fit),
+        None => (Reason::AnotherScene, OUTLIER, *fit),
     };
     let unlike = match reason {
         Reason::AnotherScene => {
-            pattern_cost(puzzle, laid, face) >= ANOTHER_PATTERN && agreement(puzzle, arrangement, face) < KINDRED
+            pattern_cost(problem, laid, face) >= ANOTHER_PATTERN && agreement(problem, arrangement, face) < KINDRED
         }
-        Reason::Flat => mean_step(puzzle, images, laid, face) >= STEP_TO_FLAT,
+        Reason::Flat => mean_step(problem, images, laid, face) >= STEP_TO_FLAT,
         Reason::CopyOf(_) => true,
     };
-    Ok((fit >= threshold && unlike).then(|| (Foreign { face, reason }, arrangement.with_orientation(face, 0))))
+    Ok((fit >= threshold && unlike).then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
 }
 
 /// True if at least three of a face's seams go as well with most other borders, are seen, and neither their patterns nor
 /// those in any other orientation say that it belongs here all the same: it may be of another scene. So may a face beside it
 /// whose seam with it closes: then nobody can say which. A face in grey or exposed otherwise keeps its patterns.
-pub fn gapes(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
+pub fn gapes(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    touching.filter(|&edge| puzzle.fit(arrangement, edge) > UNDECIDED_SEAM).count() >= 3
-        && mean_score(puzzle, images, arrangement, face) >= VISIBLE
-        && pattern_cost(puzzle, arrangement, face) >= ANOTHER_PATTERN
-        && agreement(puzzle, arrangement, face) < KINDRED
+    touching.filter(|&edge| problem.fit(arrangement, edge) > UNDECIDED_SEAM).count() >= 3
+        && mean_score(problem, images, arrangement, face) >= VISIBLE
+        && pattern_cost(problem, arrangement, face) >= ANOTHER_PATTERN
+        && agreement(problem, arrangement, face) < KINDRED
 }
 
-/// The images that must not tell how the others lie where `stranger` does not belong: itself, and all others that are
-/// strangers or copies as well.
-pub fn strangers(
+/// The images that must not tell how the others lie where `outlier` does not belong: itself, and all others that are
+/// outliers or copies as well.
+pub fn outliers(
     map: &CubeMap,
-    puzzle: &Puzzle,
+    problem: &Problem,
     images: &Borders,
     arrangement: &Arrangement,
-    stranger: Face,
+    outlier: Face,
 ) -> Result<Vec<Face>> {
-    let mut strangers = vec![arrangement.images[stranger.index()]];
-    for face in Face::ALL.into_iter().filter(|&face| face != stranger) {
+    let mut outliers = vec![arrangement.images[outlier.index()]];
+    for face in Face::ALL.into_iter().filter(|&face| face != outlier) {
         let image = arrangement.images[face.index()];
         let strange = match copy_of(map, images, image)? {
             Some(other) => {
                 let original = arrangement.face_of(other);
-                fit_without(puzzle, arrangement, face, original) >= STRANGER_COPY
+                fit_without(problem, arrangement, face, original) >= OUTLIER_COPY
             }
             None => {
-                best_laid(puzzle, arrangement, face).1 >= STRANGER && agreement(puzzle, arrangement, face) < KINDRED
+                best_laid(problem, arrangement, face).1 >= OUTLIER && agreement(problem, arrangement, face) < KINDRED
             }
         };
         if strange {
-            strangers.push(image);
+            outliers.push(image);
         }
     }
-    Ok(strangers)
+    Ok(outliers)
 }
 
 /// A face with the texels of another that sees them in its place: its own seams gape where those of the original close. In a
 /// picture of the world two faces never hold the same detail; in a drawn one they may, and then all seams close.
 fn copied(
     map: &CubeMap,
-    puzzle: &Puzzle,
+    problem: &Problem,
     images: &Borders,
     arrangement: &Arrangement,
-) -> Result<Option<(Foreign, Arrangement)>> {
-    let mut worst: Option<(f64, Foreign)> = None;
+) -> Result<Option<(Outlier, Arrangement)>> {
+    let mut worst: Option<(f64, Outlier)> = None;
     for face in Face::ALL {
         let Some(other) = copy_of(map, images, arrangement.images[face.index()])? else { continue };
         let Some(original) = arrangement.face_of(other) else {
             continue;
         };
-        let (laid, _) = best_laid(puzzle, arrangement, face);
-        let away = |of: Face, from: Face| score_away_from(puzzle, images, &laid, of, from);
+        let (laid, _) = best_laid(problem, arrangement, face);
+        let away = |of: Face, from: Face| score_away_from(problem, images, &laid, of, from);
         let (gaping, closing) = (away(face, original), away(original, face));
-        let others_fit = mean_fit(puzzle, &laid, face, false) <= FAMILIAR;
+        let others_fit = mean_fit(problem, &laid, face, false) <= FAMILIAR;
         let gapes = others_fit && gaping >= VISIBLE && closing <= 0.5 * gaping;
         if gapes && worst.is_none_or(|(score, _)| gaping > score) {
-            worst = Some((gaping, Foreign { face, reason: Reason::CopyOf(other) }));
+            worst = Some((gaping, Outlier { face, reason: Reason::CopyOf(other) }));
         }
     }
-    Ok(worst.map(|(_, foreign)| (foreign, arrangement.with_orientation(foreign.face, 0))))
+    Ok(worst.map(|(_, outlier)| (outlier, arrangement.with_orientation(outlier.face, 0))))
 }
 
 /// The mean score of the seams of a face but for the one towards another: a copy beside its original may close that one.
-fn score_away_from(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face, other: Face) -> f64 {
+fn score_away_from(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face, other: Face) -> f64 {
     let counts = |&edge: &usize| Edge::ALL[edge].touches(face) && !Edge::ALL[edge].touches(other);
     let scores: Vec<f64> =
-        (0..12).filter(counts).map(|edge| measure(puzzle, images, arrangement, edge).score).collect();
+        (0..12).filter(counts).map(|edge| measure(problem, images, arrangement, edge).score).collect();
     scores.iter().sum::<f64>() / scores.len().max(1) as f64
 }
 
 /// The mean cost of a face's seams but for their mean brightness and colour, which a different exposure explains.
-fn pattern_cost(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
+fn pattern_cost(problem: &Problem, arrangement: &Arrangement, face: Face) -> f64 {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
     touching
-        .map(|edge| puzzle.edge_units(arrangement, edge)[1..].iter().map(|&unit| f64::from(unit)).sum::<f64>())
+        .map(|edge| problem.edge_units(arrangement, edge)[1..].iter().map(|&unit| f64::from(unit)).sum::<f64>())
         .sum::<f64>()
         / 4.0
 }
 
 /// How far the brightness along the borders of a face agrees with that along its neighbours', in the orientation that agrees most:
 /// see [`super::borders::agreement`].
-fn agreement(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
+fn agreement(problem: &Problem, arrangement: &Arrangement, face: Face) -> f64 {
     let along = |laid: &Arrangement, edge: usize| {
-        let (images, borders) = puzzle.ends(laid, edge);
-        f64::from(puzzle.costs.correlation(images, borders).evidence())
+        let (images, borders) = problem.ends(laid, edge);
+        f64::from(problem.costs.correlation(images, borders).evidence())
     };
     let touching = || (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
     let all = |laid: Arrangement| touching().map(|edge| along(&laid, edge)).sum::<f64>();
@@ -180,38 +180,38 @@ fn agreement(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> f64 {
 }
 
 /// The mean fit of the seams of a face, in its best orientation, but for the one towards `other`.
-fn fit_without(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, other: Option<Face>) -> f64 {
+fn fit_without(problem: &Problem, arrangement: &Arrangement, face: Face, other: Option<Face>) -> f64 {
     let counts = |&edge: &usize| {
         let edge = Edge::ALL[edge];
         edge.touches(face) && !other.is_some_and(|other| edge.touches(other))
     };
     let edges: Vec<usize> = (0..12).filter(counts).collect();
-    let fit = |laid: &Arrangement| edges.iter().map(|&edge| puzzle.fit(laid, edge)).sum::<f64>() / edges.len() as f64;
+    let fit = |laid: &Arrangement| edges.iter().map(|&edge| problem.fit(laid, edge)).sum::<f64>() / edges.len() as f64;
     (0..8).map(|orientation| fit(&arrangement.with_orientation(face, orientation))).fold(f64::INFINITY, f64::min)
 }
 
 /// The arrangement with the cheapest orientation of one face, and the mean fit of that face's seams.
-fn best_laid(puzzle: &Puzzle, arrangement: &Arrangement, face: Face) -> (Arrangement, f64) {
+fn best_laid(problem: &Problem, arrangement: &Arrangement, face: Face) -> (Arrangement, f64) {
     let orientations = (0..8).map(|orientation| arrangement.with_orientation(face, orientation));
-    let fits = orientations.map(|laid| (laid, mean_fit(puzzle, &laid, face, true)));
+    let fits = orientations.map(|laid| (laid, mean_fit(problem, &laid, face, true)));
     fits.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are eight orientations")
 }
 
 /// The mean fit of the seams that touch the face, or of those that do not.
-fn mean_fit(puzzle: &Puzzle, arrangement: &Arrangement, face: Face, touching: bool) -> f64 {
+fn mean_fit(problem: &Problem, arrangement: &Arrangement, face: Face, touching: bool) -> f64 {
     let chosen = |&edge: &usize| Edge::ALL[edge].touches(face) == touching;
     let count = if touching { 4.0 } else { 8.0 };
-    (0..12).filter(chosen).map(|edge| puzzle.fit(arrangement, edge)).sum::<f64>() / count
+    (0..12).filter(chosen).map(|edge| problem.fit(arrangement, edge)).sum::<f64>() / count
 }
 
-fn mean_score(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
+fn mean_score(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    touching.map(|edge| measure(puzzle, images, arrangement, edge).score).sum::<f64>() / 4.0
+    touching.map(|edge| measure(problem, images, arrangement, edge).score).sum::<f64>() / 4.0
 }
 
-fn mean_step(puzzle: &Puzzle, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
+fn mean_step(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    touching.map(|edge| measure(puzzle, images, arrangement, edge).step).sum::<f64>() / 4.0
+    touching.map(|edge| measure(problem, images, arrangement, edge).step).sum::<f64>() / 4.0
 }
 
 /// Another image with the same texels.
