@@ -87,7 +87,7 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     for file in &files {
         super::print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
     }
-    if let Some(convention) = check.fix.convention {
+    if let Some(convention) = check.fix.convention() {
         super::print(format_args!("{convention}\n"));
     }
     Ok(())

@@ -8,7 +8,7 @@
 //! verdict:    fits | broken | undecidable
 //! seams:      [ { edge, step, detail, score, verdict } ]                      twelve, as they are now
 //! fix:        { faces: [ { face, image, u, v, image_operation, decided } ],   six; u, v of those the lookup computes
-//!               changes, convention, margin, seams_after, equivalents }
+//!               story, also: [ text ], changes, convention, margin, seams_after, equivalents }
 //! handedness: { mirrored: [ face ] }
 //! notes:      [ text ]
 //! ```
@@ -38,13 +38,15 @@ impl<'a> CheckReport<'a> {
     /// The report in one line: verdict, and what to do.
     pub fn line(&self) -> String {
         let Check { verdict, fix, outliers, notes, .. } = self.check;
-        let mut what = match fix.convention {
-            _ if *verdict != Verdict::Broken => Vec::new(),
-            Some(convention) => vec![convention.to_string()],
-            None => self.changed().map(|face| self.change(face)).collect(),
-        };
-        // The first notes are those on faces that do not belong, which no change mends.
-        what.extend(notes.iter().take(outliers.len()).map(ToString::to_string));
+        let mut what = Vec::new();
+        if *verdict == Verdict::Broken {
+            what.extend(fix.story.sentences());
+            let edited = fix.faces.iter().filter(|face| fix.story.edited.contains(&face.face));
+            what.extend(edited.map(|face| self.change(face)));
+        }
+        // The first notes are those on faces that do not belong or have the wrong size, which no change repairs.
+        let unrepaired = outliers.len() + usize::from(!self.check.has_equal_squares());
+        what.extend(notes.iter().take(unrepaired).map(ToString::to_string));
         let separator = if what.is_empty() { "" } else { ": " };
         format!("{}: {}{separator}{}", self.map, verdict.name(), what.join("; "))
     }
@@ -122,6 +124,9 @@ struct JsonSeam {
 #[derive(serde::Serialize)]
 struct JsonFix {
     faces: Vec<JsonFaceFix>,
+    /// What happened to the files, and other stories that are as short.
+    story: String,
+    also: Vec<String>,
     changes: usize,
     convention: Option<&'static str>,
     margin: f64,
@@ -162,8 +167,10 @@ impl<'a> Json<'a> {
             seams: seams(&check.seams),
             fix: JsonFix {
                 faces: check.fix.faces.iter().map(|fix| face_fix(fix, &check.lookup)).collect(),
+                story: check.fix.story.to_string(),
+                also: check.fix.also.iter().map(ToString::to_string).collect(),
                 changes: check.fix.changes,
-                convention: check.fix.convention.map(|convention| convention.name()),
+                convention: check.fix.convention().map(|convention| convention.name()),
                 margin: rounded(check.fix.margin, 1),
                 seams_after: seams(&check.fix.seams_after),
                 equivalents: check.fix.equivalents,
@@ -209,9 +216,15 @@ impl fmt::Display for CheckReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Check { verdict, fix, lookup_name, .. } = self.check;
         writeln!(formatter, "{}: {} under the lookup {lookup_name}", self.map, verdict.name())?;
-        if let Some(convention) = fix.convention {
-            writeln!(formatter, "  {convention}")?;
-            writeln!(formatter, "  or the same face by face:")?;
+        let sentences = fix.story.sentences();
+        for sentence in &sentences {
+            writeln!(formatter, "  {sentence}")?;
+        }
+        for other in &fix.also {
+            writeln!(formatter, "  as short a story of the same seams: {other}")?;
+        }
+        if !sentences.is_empty() {
+            writeln!(formatter, "  face by face:")?;
         }
         for face in self.changed() {
             self.write_change(face, formatter)?;

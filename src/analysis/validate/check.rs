@@ -8,11 +8,12 @@ use super::outlier::{self, Outlier};
 use super::seam::{self, Seam};
 use super::search::arrangement::{Arrangement, Problem};
 use super::search::convention::mirrored_faces;
-use super::search::convention::{self, Convention};
-use super::sky;
-use super::solve::{Search, Solution, UNRELATED, corrected};
+use super::search::convention::{self, Convention, Hints};
+use super::sky::Sky;
+use super::solve::{Search, Solution, UNRELATED, Unsettled, corrected};
+use super::story::Story;
 use crate::envmap::source::Skybox;
-use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, SignedAxis};
+use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, Preset, SignedAxis};
 use crate::error::Result;
 use crate::parallel;
 use crate::picture::{Format, Picture};
@@ -115,7 +116,10 @@ pub struct Fix {
     pub faces: [FaceFix; 6],
     /// Faces that change.
     pub changes: usize,
-    pub convention: Option<Convention>,
+    /// What happened to the files.
+    pub story: Story,
+    /// Other stories that are as short and close the seams as well.
+    pub also: Vec<Story>,
     /// The standard errors by which the next essentially different orientation is worse; 0 if none is.
     pub margin: f64,
     pub seams_after: Vec<Seam>,
@@ -142,7 +146,20 @@ impl FaceFix {
     }
 }
 
+impl Check {
+    /// True if all six images are square and of one size: no graphics library takes others as a cube map.
+    pub fn has_equal_squares(&self) -> bool {
+        let size = self.images[0].width;
+        self.images.iter().all(|image| (image.width, image.height) == (size, size))
+    }
+}
+
 impl Fix {
+    /// The known order that these files follow, if the story names one.
+    pub fn convention(&self) -> Option<Convention> {
+        self.story.order
+    }
+
     /// The corrected lookup.
     pub fn lookup(&self, given: &Lookup) -> Lookup {
         corrected(given, &self.arrangement())
@@ -170,10 +187,23 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     let lookup = *map.lookup();
     let borders = read_borders(map)?;
     let problem = Problem { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
-    let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
-    let sky = if options.world_up.is_some() { sky::hint(map, &borders, &problem)? } else { None };
-    let search = Search { map, images: &borders, problem: &problem, lookup: &lookup, options, quake_names, sky };
-    let (solution, turn) = search.solve_and_turn()?;
+    let names = options.names;
+    let world_up = options.world_up.unwrap_or_else(|| Preset::usual_up_of(&options.lookup_name));
+    let hints = Hints::of_files(images.iter().map(|image| image.file.as_str()), names == Names::AnyOrder);
+    let orders = convention::orders(&lookup, world_up, hints);
+    let sky = Sky::of(map, &borders)?;
+    let (images_of, problem_of) = (&borders, &problem);
+    let search = Search {
+        map,
+        images: images_of,
+        problem: problem_of,
+        lookup: &lookup,
+        names,
+        world_up,
+        orders: &orders,
+        sky: &sky,
+    };
+    let solution = search.solve()?;
 
     let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
     let found = solution.arrangement;
@@ -185,14 +215,16 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
         images,
         lookup,
         lookup_name: options.lookup_name.clone(),
-        verdict: verdict(&problem, &borders, &solution, &given),
+        verdict: Verdict::Undecidable,
         seams: seams(&given),
         fix,
         outliers,
         mirrored: mirrored_faces(&lookup),
         notes: Vec::new(),
     };
-    check.notes = notes::collect(&check, &borders, options, sky.map(|[sky, _]| (sky, turn)));
+    check.verdict = verdict(&problem, &borders, &solution, &check, &given);
+    let sky = sky.image(&check.fix.lookup(&lookup));
+    check.notes = notes::collect(&check, &borders, options, sky);
     Ok(check)
 }
 
@@ -211,22 +243,26 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
     Fix {
         faces,
         changes: Face::ALL.iter().filter(|face| changed(face)).count(),
-        convention: solution.convention,
+        story: solution.story.clone(),
+        also: solution.also.clone(),
         margin: solution.margin,
         seams_after,
         equivalents: solution.equivalents,
     }
 }
 
-/// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels of at least half of
-/// the faces tell most orientations from the one found, what is found looks like a map at all, and no face gapes.
-fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, given: &Arrangement) -> Verdict {
+/// Broken if the fix changes anything, a face does not belong, seams gape or no graphics library takes these sizes; else
+/// the map fits if the pixels of at least half of the faces tell most orientations from the one found, what is found looks
+/// like a map at all, and no face gapes.
+fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Check, given: &Arrangement) -> Verdict {
     let found = &solution.arrangement;
-    if found != given || solution.outlier.is_some() {
+    let torn = solution.unsettled == Some(Unsettled::Torn);
+    if found != given || solution.outlier.is_some() || torn || !check.has_equal_squares() {
         return Verdict::Broken;
     }
     let related = problem.mean_fit(found) < UNRELATED;
     let gapes = |&face: &Face| outlier::gapes(problem, borders, found, face);
-    let tells = related && solution.telling_faces() >= 3 && !Face::ALL.iter().any(gapes);
-    if tells && !solution.unsettled { Verdict::Fits } else { Verdict::Undecidable }
+    let undecidable = check.seams.iter().filter(|seam| seam.verdict == Verdict::Undecidable).count();
+    let tells = related && solution.telling_faces() >= 3 && undecidable < 6 && !Face::ALL.iter().any(gapes);
+    if tells && solution.unsettled.is_none() { Verdict::Fits } else { Verdict::Undecidable }
 }

@@ -20,6 +20,7 @@ mod seam;
 pub(crate) mod search;
 mod sky;
 mod solve;
+mod story;
 
 pub use borders::edge::{Edge, Side};
 pub use check::{Check, CheckOptions, FaceFix, Fix, ImageFacts, Names, Verdict, check, load};
@@ -28,3 +29,4 @@ pub use outlier::{Outlier, Reason};
 pub use seam::Seam;
 pub use search::convention::Convention;
 pub use search::convention::mirrored_faces;
+pub use story::Story;

@@ -7,11 +7,10 @@ use super::borders::border::Borders;
 use super::borders::edge::{Border, Edge, Side};
 use super::check::{Check, CheckOptions};
 use super::outlier::Reason;
-use super::search::convention::Convention;
 use super::search::convention::mirrored_faces;
 use crate::envmap::{Face, SignedAxis};
 
-/// A remark in the report. None of them makes a map broken, except [`Note::Outlier`], which says why it is.
+/// A remark in the report. [`Note::Outlier`], [`Note::NotSquare`] and [`Note::Sizes`] say why a map is broken.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
     Outlier {
@@ -29,7 +28,7 @@ pub enum Note {
         largest: usize,
     },
     NotSquare {
-        image: Face,
+        images: Vec<Face>,
     },
     Alpha {
         images: Vec<Face>,
@@ -55,6 +54,10 @@ pub enum Note {
         step: f64,
         after_the_fix: bool,
     },
+    /// The names do not say which face an image is.
+    Unnamed {
+        numbered: bool,
+    },
     Mirrored {
         faces: Vec<Face>,
         after: Vec<Face>,
@@ -65,24 +68,18 @@ pub enum Note {
         up: SignedAxis,
         there: bool,
         after_the_fix: bool,
-        /// What would turn a map that fits so that its sky lies there.
-        turn: Option<Convention>,
     },
 }
 
 /// All remarks in the order of the report.
-pub fn collect(
-    check: &Check,
-    borders: &Borders,
-    options: &CheckOptions,
-    sky: Option<(Face, Option<Convention>)>,
-) -> Vec<Note> {
+pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Option<Face>) -> Vec<Note> {
     let mut notes = Vec::new();
     for outlier in &check.outliers {
         let image = check.fix.faces[outlier.face.index()].image;
         let file = check.images[image.index()].file.clone();
         notes.push(Note::Outlier { face: outlier.face, file, reason: outlier.reason });
     }
+    sizes(check, &mut notes);
     pictures(check, borders, &mut notes);
     notes.extend(exposures(check, borders));
     let undecided: Vec<Face> = check.fix.faces.iter().filter(|fix| !fix.decided).map(|fix| fix.face).collect();
@@ -94,10 +91,10 @@ pub fn collect(
     if !check.mirrored.is_empty() || !after.is_empty() {
         notes.push(Note::Mirrored { faces: check.mirrored.clone(), after, changes: check.fix.changes > 0 });
     }
-    if let (Some(up), Some((sky, turn))) = (options.world_up, sky) {
+    if let (Some(up), Some(sky)) = (options.world_up, sky) {
         let top = Face::on_axis(usize::from(up.axis), !up.negative);
         let there = check.fix.faces[top.index()].image == sky;
-        notes.push(Note::Sky { sky, up, there, after_the_fix: check.fix.changes > 0, turn });
+        notes.push(Note::Sky { sky, up, there, after_the_fix: check.fix.changes > 0 });
     }
     notes
 }
@@ -126,18 +123,25 @@ fn exposures(check: &Check, borders: &Borders) -> Vec<Note> {
     notes
 }
 
-fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
-    notes.extend(
-        Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
-    );
-    for facts in check.images.iter().filter(|facts| facts.width != facts.height) {
-        notes.push(Note::NotSquare { image: facts.face });
+/// Sizes that no cube map may have.
+fn sizes(check: &Check, notes: &mut Vec<Note>) {
+    let unsquare: Vec<Face> =
+        check.images.iter().filter(|facts| facts.width != facts.height).map(|facts| facts.face).collect();
+    if !unsquare.is_empty() {
+        notes.push(Note::NotSquare { images: unsquare });
+        return;
     }
-    let sizes = borders.iter().map(|image| image.texels);
+    let sizes = check.images.iter().map(|facts| facts.width);
     let (smallest, largest) = (sizes.clone().min().unwrap_or(0), sizes.max().unwrap_or(0));
     if smallest != largest {
         notes.push(Note::Sizes { smallest, largest });
     }
+}
+
+fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
+    notes.extend(
+        Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
+    );
     for (one, other) in (0..6).flat_map(|one| (one + 1..6).map(move |other| (one, other))) {
         if borders[one].holds_the_same(&borders[other]) {
             notes.push(Note::Identical { images: [Face::ALL[one], Face::ALL[other]] });
@@ -185,9 +189,12 @@ impl fmt::Display for Note {
             }
             Self::Sizes { smallest, largest } => write!(
                 formatter,
-                "the images differ in size, from {smallest} to {largest} texels: borders were resampled"
+                "the images differ in size, from {smallest} to {largest} texels: no graphics library takes them as a cube map"
             ),
-            Self::NotSquare { image } => write!(formatter, "{} is not square", image.name()),
+            Self::NotSquare { images } => {
+                let are = if images.len() == 1 { "is" } else { "are" };
+                write!(formatter, "{} {are} not square: no graphics library takes them as a cube map", names(images))
+            }
             Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
             Self::Exposure { image, codes } => formatter.write_str(&exposed(*image, *codes)),
             Self::Identical { images: [one, other] } => {
@@ -203,12 +210,19 @@ impl fmt::Display for Note {
             Self::Rough { seams, step, after_the_fix } => {
                 formatter.write_str(&rough_seams(*seams, *step, *after_the_fix))
             }
+            Self::Unnamed { numbered } => {
+                let names = if *numbered { "numbers" } else { "names" };
+                write!(
+                    formatter,
+                    "the {names} of the files do not tell the faces: taken as +X -X +Y -Y +Z -Z in this order, and put in order \
+                     by their pixels"
+                )
+            }
             Self::Mirrored { faces, after, changes } => {
                 formatter.write_str(&mirrored(faces, after, *changes && faces != after))
             }
-            Self::Sky { sky, up, there, after_the_fix, turn } => {
-                formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))?;
-                turn.map_or(Ok(()), |turn| write!(formatter, "; there it would be with {turn}"))
+            Self::Sky { sky, up, there, after_the_fix } => {
+                formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))
             }
         }
     }

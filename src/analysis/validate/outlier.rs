@@ -31,9 +31,9 @@ const OUTLIER: f64 = 0.8;
 const OUTLIER_COPY: f64 = 0.5;
 /// The same for one flat colour, which continues any plain picture but for its brightness.
 const OUTLIER_FLAT: f64 = 0.3;
-/// The mean step, of 255 codes, by which the neighbours must end in other colours than a flat face: a flat sky whose
-/// neighbours fade into about its colour is a picture of a flat sky.
-const STEP_TO_FLAT: f64 = 16.0;
+/// The mean step, of 255 codes, by which the neighbours must end in other colours than an outlier: a flat sky whose
+/// neighbours fade into about its colour is a picture of a flat sky, and a nearly black floor belongs to nearly black walls.
+const OUTLIER_STEP: f64 = 16.0;
 /// The mean fit that the eight other seams must reach.
 const FAMILIAR: f64 = 0.7;
 /// The mean score (step over detail) below which the seams are not a visible fault.
@@ -77,12 +77,28 @@ pub fn find(
     };
     let unlike = match reason {
         Reason::AnotherScene => {
-            pattern_cost(problem, laid, face) >= ANOTHER_PATTERN && agreement(problem, arrangement, face) < KINDRED
+            pattern_cost(problem, laid, face) >= ANOTHER_PATTERN
+                && agreement(problem, arrangement, face) < KINDRED
+                && mean_step(problem, images, laid, face) >= OUTLIER_STEP
         }
-        Reason::Flat => mean_step(problem, images, laid, face) >= STEP_TO_FLAT,
+        Reason::Flat => mean_step(problem, images, laid, face) >= OUTLIER_STEP,
         Reason::CopyOf(_) => true,
     };
     Ok((fit >= threshold && unlike).then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
+}
+
+/// True if the best arrangement takes the image of a face elsewhere, and it fits there: two files were exchanged.
+pub fn fits_elsewhere(
+    problem: &Problem,
+    images: &Borders,
+    given: &Arrangement,
+    best: &Arrangement,
+    face: Face,
+) -> bool {
+    let image = given.images[face.index()];
+    best.face_of(image).is_some_and(|place| {
+        place != face && mean_fit(problem, best, place, true) <= FAMILIAR && !gapes(problem, images, best, place)
+    })
 }
 
 /// True if at least three of a face's seams go as well with most other borders, are seen, and neither their patterns nor

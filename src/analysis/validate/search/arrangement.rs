@@ -41,6 +41,11 @@ pub struct Problem {
 }
 
 impl Problem {
+    /// The same without the seams of an image: wherever that lies, it costs nothing.
+    pub fn without(&self, image: Face) -> Self {
+        Self { borders: self.borders.clone(), costs: self.costs.without(image) }
+    }
+
     /// The cost of one edge.
     pub fn edge_cost(&self, arrangement: &Arrangement, edge: usize) -> f64 {
         let (images, borders) = self.ends(arrangement, edge);

@@ -1,10 +1,11 @@
-//! Known conventions: fixes that have one cause and a name.
+//! Known conventions: orders of six files that have one cause and a name.
 
 use std::fmt;
 
+use super::super::story::Order;
 use super::arrangement::Arrangement;
 use super::symmetry::orientation_between;
-use crate::envmap::{Face, Lookup, Preset};
+use crate::envmap::{Face, Lookup, Preset, SignedAxis};
 
 /// A convention that a map was made for, where the given lookup reads it otherwise.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -26,10 +27,42 @@ pub enum Convention {
     OpenExr,
     /// Names of Quake and Terragen: front is +X.
     Quake,
+    /// Unity's names: left is +X, right is -X.
+    Unity,
+    /// Files named for a world with z up where the lookup has y up.
+    ZUp,
+    /// The same, right-handed.
+    ZUpRightHanded,
+    /// Front, right, back, left, up, down: cells and numbers of Pannellum and Minecraft.
+    FrontFirst,
 }
 
+/// What the names and formats of the files say about their order.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Hints {
+    /// `front`, `left`, ... or `ft`, `lf`, ...
+    pub quake_names: bool,
+    /// `_FrontTex`, `_LeftTex`, ...
+    pub unity_names: bool,
+    /// A cube in one OpenEXR file.
+    pub openexr_cube: bool,
+    /// Names mean nothing: numbers, cells of a strip.
+    pub free_names: bool,
+}
+
+/// Assuming an order that the names or the format of the files announce.
+const ANNOUNCED: u32 = 5;
+/// Assuming the table of another lookup for an upright world.
+const OTHER_TABLE: u32 = 10;
+/// As much as two files exchanged: where both explain a map, the pictures decide.
+const LIKE_AN_EXCHANGE: u32 = 20;
+/// Assuming a table that lays the world on its side.
+const SIDEWAYS: u32 = 25;
+/// Six mirrored files: more than two exchanged ones, which look the same, but for a mirror.
+const MIRRORED: u32 = 35;
+
 impl Convention {
-    const ALL: [Self; 8] = [
+    const ALL: [Self; 12] = [
         Self::BottomUp,
         Self::Mirrored,
         Self::Opengl,
@@ -38,6 +71,10 @@ impl Convention {
         Self::HumusYUp,
         Self::OpenExr,
         Self::Quake,
+        Self::Unity,
+        Self::ZUp,
+        Self::ZUpRightHanded,
+        Self::FrontFirst,
     ];
 
     /// The name in JSON.
@@ -51,6 +88,10 @@ impl Convention {
             Self::HumusYUp => "humus-y-up",
             Self::OpenExr => "openexr",
             Self::Quake => "quake",
+            Self::Unity => "unity",
+            Self::ZUp => "z-up",
+            Self::ZUpRightHanded => "z-up-right-handed",
+            Self::FrontFirst => "front-first",
         }
     }
 
@@ -58,16 +99,40 @@ impl Convention {
     fn arrangement(self, lookup: &Lookup) -> Arrangement {
         use Face::{NegX, NegY, NegZ, PosX, PosY, PosZ};
         let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
-        let read = |faces: [Face; 6]| faces.map(|face| lookup.row(face).image);
+        let read = |faces: [Face; 6]| Arrangement { images: faces.map(|face| lookup.row(face).image), ..given };
         match self {
             Self::BottomUp => Arrangement { orientations: [2; 6], ..given },
             Self::Mirrored => Arrangement { orientations: [1; 6], ..given },
-            Self::OpenExr => Arrangement { images: read([PosX, NegX, PosY, NegY, NegZ, PosZ]), ..given },
-            Self::Quake => Arrangement { images: read([PosZ, NegZ, PosY, NegY, PosX, NegX]), ..given },
+            Self::OpenExr => read([PosX, NegX, PosY, NegY, NegZ, PosZ]),
+            Self::Quake => read([PosZ, NegZ, PosY, NegY, PosX, NegX]),
+            Self::Unity => read([NegX, PosX, PosY, NegY, PosZ, NegZ]),
+            Self::ZUp => read([PosX, NegX, PosZ, NegZ, PosY, NegY]),
+            Self::ZUpRightHanded => read([PosX, NegX, PosZ, NegZ, NegY, PosY]),
+            Self::FrontFirst => read([NegX, NegY, PosZ, NegZ, PosX, PosY]),
             Self::Opengl => table(lookup, Preset::Opengl),
             Self::Course => table(lookup, Preset::Course),
             Self::HumusZUp => table(lookup, Preset::HumusZUp),
             Self::HumusYUp => table(lookup, Preset::HumusYUp),
+        }
+    }
+
+    /// What it costs to assume this order; `None` where nothing speaks for it that an exchange would not explain.
+    fn cost(self, world_up: SignedAxis, hints: Hints) -> Option<u32> {
+        let announced = |by_names: bool| by_names.then_some(ANNOUNCED);
+        let y_up = world_up.axis == 1;
+        let upright = |preset: Preset| Some(if preset.usual_up() == world_up { OTHER_TABLE } else { SIDEWAYS });
+        match self {
+            Self::BottomUp => Some(LIKE_AN_EXCHANGE),
+            Self::Mirrored => Some(MIRRORED),
+            Self::Opengl => upright(Preset::Opengl),
+            Self::Course => upright(Preset::Course),
+            Self::HumusZUp => upright(Preset::HumusZUp),
+            Self::HumusYUp => upright(Preset::HumusYUp),
+            Self::OpenExr => announced(hints.openexr_cube),
+            Self::Quake => announced(hints.quake_names),
+            Self::Unity => announced(hints.unity_names),
+            Self::ZUp | Self::ZUpRightHanded => y_up.then_some(LIKE_AN_EXCHANGE),
+            Self::FrontFirst => announced(hints.free_names),
         }
     }
 }
@@ -86,28 +151,36 @@ pub(crate) fn table(lookup: &Lookup, preset: Preset) -> Arrangement {
     arrangement
 }
 
-/// The conventions that differ from the given lookup, with their arrangements. Quake's is among them only for
-/// files that are named in its way (`quake_names`).
-pub fn candidates(lookup: &Lookup, quake_names: bool) -> Vec<(Convention, Arrangement)> {
+/// The orders that files may follow: that of the lookup first, then every convention that differs from it.
+pub fn orders(lookup: &Lookup, world_up: SignedAxis, hints: Hints) -> Vec<Order> {
     let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
-    let possible = |convention: &Convention| *convention != Convention::Quake || quake_names;
-    Convention::ALL
-        .into_iter()
-        .filter(possible)
-        .map(|convention| (convention, convention.arrangement(lookup)))
-        .filter(|(_, arrangement)| *arrangement != given)
-        .collect()
+    let own = Order { convention: None, arrangement: given, cost: 0 };
+    let known = Convention::ALL.into_iter().filter_map(|convention| {
+        let cost = convention.cost(world_up, hints)?;
+        Some(Order { convention: Some(convention), arrangement: convention.arrangement(lookup), cost })
+    });
+    std::iter::once(own).chain(known.filter(|order| order.arrangement != given)).collect()
 }
 
-/// True if files are named by words (`front`, `left`, ...) or as Quake does (`ft`, `lf`, ...).
-pub fn has_quake_names<'a>(files: impl Iterator<Item = &'a str>) -> bool {
-    const NAMES: [&str; 8] = ["front", "back", "left", "right", "ft", "bk", "lf", "rt"];
-    let named = |file: &str| {
-        let name = file.rsplit('/').next().unwrap_or(file).to_ascii_lowercase();
-        let stem = name.rsplit_once('.').map_or(name.as_str(), |(stem, _)| stem).to_owned();
-        NAMES[..4].iter().any(|word| stem.contains(word)) || NAMES[4..].iter().any(|word| stem.ends_with(word))
-    };
-    files.filter(|file| named(file)).count() >= 4
+impl Hints {
+    /// What the names of six files say. Cells of a strip or sheet are called `strip.png [+x cell]`.
+    pub fn of_files<'a>(files: impl Iterator<Item = &'a str>, free_names: bool) -> Self {
+        const WORDS: [&str; 4] = ["front", "back", "left", "right"];
+        const SHORT: [&str; 4] = ["ft", "bk", "lf", "rt"];
+        let names: Vec<String> =
+            files.map(|file| file.rsplit('/').next().unwrap_or(file).to_ascii_lowercase()).collect();
+        let stem = |name: &str| name.rsplit_once('.').map_or(name, |(stem, _)| stem).to_owned();
+        let count = |named: &dyn Fn(&str) -> bool| names.iter().filter(|name| named(&stem(name))).count();
+        let quake =
+            |stem: &str| WORDS.iter().any(|word| stem.contains(word)) || SHORT.iter().any(|word| stem.ends_with(word));
+        let unity = |stem: &str| WORDS.iter().any(|word| stem.contains(word));
+        Self {
+            quake_names: count(&quake) >= 4,
+            unity_names: count(&unity) >= 4,
+            openexr_cube: names.iter().all(|name| name.contains(".exr [")),
+            free_names,
+        }
+    }
 }
 
 impl fmt::Display for Convention {
@@ -121,6 +194,10 @@ impl fmt::Display for Convention {
             Self::HumusYUp => "a y-up download seen along -z: use --lookup humus-y-up",
             Self::OpenExr => "OpenEXR's convention: +Z and -Z change places",
             Self::Quake => "Quake's convention: front is +X, back -X, right +Z, left -Z",
+            Self::Unity => "Unity's convention: left is +X, right -X",
+            Self::ZUp => "these files are named for a world with z up: posz is the top",
+            Self::ZUpRightHanded => "these files are named for a right-handed world with z up: posz is the top",
+            Self::FrontFirst => "the order of Pannellum and Minecraft: front, right, back, left, up, down",
         })
     }
 }

@@ -53,7 +53,7 @@ fn named_files_need_no_names_of_faces() {
 #[test]
 fn a_missing_face_is_named() {
     let folder = six_files();
-    fs::rename(folder.path().join("negy.png"), folder.path().join("below.png")).unwrap();
+    fs::rename(folder.path().join("negy.png"), folder.path().join("ground.png")).unwrap();
     insta::assert_snapshot!(error_at(&folder, ""), @r"
         [folder]: negy without a file
           posx: posx.png
