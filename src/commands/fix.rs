@@ -36,11 +36,11 @@ struct Corrected {
     what: String,
 }
 
-/// Checks the map and mends it. Ends with faults if a face remains that does not belong.
+/// Checks the map and repairs it. Ends with faults if a face remains that does not belong or has the wrong size.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
         return Err(Error::new("it is not said where the fix shall go")
-            .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|toml for the corrected lookup"));
+            .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|java|python|csharp|toml for the corrected lookup"));
     }
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let check = arguments.validation.check(&skybox)?;
@@ -52,13 +52,16 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
             super::remark(format_args!("nothing to fix: the faces fit as they are\n"));
         }
     }
-    for note in check.notes.iter().take(check.outliers.len()) {
-        super::remark(format_args!("not mended: {note}\n"));
+    for note in check.unrepaired() {
+        super::remark(format_args!("not repaired: {note}\n"));
     }
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
     if check.verdict == Verdict::Broken && check.outliers.is_empty() {
         for fix in undecided {
-            super::remark(format_args!("left as it is: the pixels do not tell how {} must be laid\n", fix.face.name()));
+            super::remark(format_args!(
+                "left as it is: the pixels do not tell how {} must be placed\n",
+                fix.face.name()
+            ));
         }
     }
     if check.verdict == Verdict::Undecidable {
@@ -66,7 +69,7 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
             "undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"
         ));
     }
-    Ok(if check.outliers.is_empty() { Outcome::Clean } else { Outcome::Faults })
+    Ok(if check.unrepaired().is_empty() { Outcome::Clean } else { Outcome::Faults })
 }
 
 fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
@@ -87,8 +90,8 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     for file in &files {
         super::print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
     }
-    if let Some(convention) = check.fix.convention() {
-        super::print(format_args!("{convention}\n"));
+    for sentence in check.fix.story.sentences() {
+        super::print(format_args!("{sentence}\n"));
     }
     Ok(())
 }
@@ -127,7 +130,7 @@ mod tests {
     use crate::picture;
 
     #[test]
-    fn unchanged_faces_are_copied_and_others_laid() {
+    fn unchanged_faces_are_copied_and_others_placed() {
         let folder = tempfile::tempdir().unwrap();
         let compass = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass");
         for face in Face::ALL {

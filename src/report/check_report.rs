@@ -37,16 +37,14 @@ impl<'a> CheckReport<'a> {
 
     /// The report in one line: verdict, and what to do.
     pub fn line(&self) -> String {
-        let Check { verdict, fix, outliers, notes, .. } = self.check;
+        let Check { verdict, fix, .. } = self.check;
         let mut what = Vec::new();
         if *verdict == Verdict::Broken {
             what.extend(fix.story.sentences());
             let edited = fix.faces.iter().filter(|face| fix.story.edited.contains(&face.face));
             what.extend(edited.map(|face| self.change(face)));
         }
-        // The first notes are those on faces that do not belong or have the wrong size, which no change repairs.
-        let unrepaired = outliers.len() + usize::from(!self.check.has_equal_squares());
-        what.extend(notes.iter().take(unrepaired).map(ToString::to_string));
+        what.extend(self.check.unrepaired().iter().map(ToString::to_string));
         let separator = if what.is_empty() { "" } else { ": " };
         format!("{}: {}{separator}{}", self.map, verdict.name(), what.join("; "))
     }

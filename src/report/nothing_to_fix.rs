@@ -8,8 +8,11 @@ pub fn nothing_to_fix(check: &Check) -> String {
     let outliers: Vec<&str> = check.outliers.iter().map(|outlier| outlier.face.name()).collect();
     match check.verdict {
         Verdict::Fits => "the map fits under this lookup: nothing to fix".to_owned(),
+        _ if !check.has_equal_squares() => {
+            "broken: the faces are not square or not of one size, which no lookup repairs".to_owned()
+        }
         _ if !outliers.is_empty() => {
-            format!("broken, and no lookup mends it: {}: the picture does not belong here", outliers.join(", "))
+            format!("broken, and no lookup repairs it: {}: the picture does not belong here", outliers.join(", "))
         }
         Verdict::Undecidable => {
             "undecidable: the pixels do not tell whether these faces fit; nothing is changed".to_owned()

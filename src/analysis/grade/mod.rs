@@ -7,6 +7,7 @@
 //!    [`misfit`] what a shot looks like that shows no image.
 
 mod alternative;
+mod cause;
 mod explanation;
 mod field_of_view;
 mod matching;
@@ -16,6 +17,7 @@ mod thumbnail;
 mod tone;
 
 pub use alternative::{Alternative, PresetReading};
+pub use cause::{Cause, other_ups};
 pub use explanation::FaceGrade;
 pub use misfit::Misfit;
 pub use placement::{CameraFault, Placement, ShotFrame};
@@ -100,9 +102,9 @@ impl Grader {
         let mut views = self.views(&self.images, &shots);
         let mut scale = views.scale();
         let warped = self.undivided_images(&views, scale, &shots);
-        if let Some(warped) = &warped {
+        if let Some((warped, of_warped)) = &warped {
             views = self.views(warped, &shots);
-            scale = 1.0;
+            scale = *of_warped;
         }
         let images = views.levels(scale, SIDE);
         let readings = std::array::from_fn(|index| read_shot(&views, &images, index, scale));
@@ -118,15 +120,17 @@ impl Grader {
         }
     }
 
-    /// The images as code shows them that does not divide, if they explain decisively more than the best scale does.
-    fn undivided_images(&self, views: &Views, scale: f64, shots: &[Codes; 6]) -> Option<[Codes; 6]> {
+    /// The images as code shows them that does not divide, and at what scale, if they explain decisively more than the best
+    /// scale does. The scale is 1, or 2 where the coordinates are not halved either.
+    fn undivided_images(&self, views: &Views, scale: f64, shots: &[Codes; 6]) -> Option<([Codes; 6], f64)> {
         let misfit = views.misfit(scale);
         if misfit <= UNDIVIDED {
             return None;
         }
         let warped = self.images.each_ref().map(Codes::undivided);
-        let explains_more = self.views(&warped, shots).misfit(1.0) < 0.5 * misfit;
-        explains_more.then_some(warped)
+        let views = self.views(&warped, shots);
+        let least = [1.0, 2.0].into_iter().map(|scale| (views.misfit(scale), scale)).min_by(|a, b| a.0.total_cmp(&b.0));
+        least.filter(|(left, _)| *left < 0.5 * misfit).map(|(_, scale)| (warped, scale))
     }
 
     fn views<'a>(&self, images: &'a [Codes; 6], shots: &'a [Codes; 6]) -> Views<'a> {

@@ -147,6 +147,13 @@ impl FaceFix {
 }
 
 impl Check {
+    /// What no change repairs: faces that do not belong or have the wrong size.
+    pub fn unrepaired(&self) -> Vec<&Note> {
+        let unrepaired =
+            |note: &&Note| matches!(note, Note::Outlier { .. } | Note::NotSquare { .. } | Note::Sizes { .. });
+        self.notes.iter().filter(unrepaired).collect()
+    }
+
     /// True if all six images are square and of one size: no graphics library takes others as a cube map.
     pub fn has_equal_squares(&self) -> bool {
         let size = self.images[0].width;

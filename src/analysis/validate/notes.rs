@@ -7,6 +7,7 @@ use super::borders::border::Borders;
 use super::borders::edge::{Border, Edge, Side};
 use super::check::{Check, CheckOptions};
 use super::outlier::Reason;
+use super::seam::Seam;
 use super::search::convention::mirrored_faces;
 use crate::envmap::{Face, SignedAxis};
 
@@ -50,6 +51,12 @@ pub enum Note {
     },
     /// Rough seams of a geometry that fits, as it is or after the fix.
     Rough {
+        seams: usize,
+        step: f64,
+        after_the_fix: bool,
+    },
+    /// Seams of a broken map that no certain change closes.
+    Open {
         seams: usize,
         step: f64,
         after_the_fix: bool,
@@ -156,18 +163,26 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
     }
 }
 
-/// Seams that are rough although the map fits, or would once it is fixed.
+/// Seams that are rough although the map fits, or would once it is fixed; and those that a fix leaves open.
 fn rough(check: &Check, notes: &mut Vec<Note>) {
     const ROUGH: f64 = 3.0;
     if !check.outliers.is_empty() || check.verdict == Verdict::Undecidable {
         return;
     }
-    let rough: Vec<f64> =
-        check.fix.seams_after.iter().filter(|seam| seam.score > ROUGH).map(|seam| seam.step).collect();
-    if !rough.is_empty() {
-        let step = rough.iter().sum::<f64>() / rough.len() as f64;
-        notes.push(Note::Rough { seams: rough.len(), step, after_the_fix: check.fix.changes > 0 });
+    let after_the_fix = check.fix.changes > 0;
+    let rough = || check.fix.seams_after.iter().filter(|seam| seam.score > ROUGH);
+    let open = |seam: &&Seam| seam.verdict == Verdict::Undecidable;
+    let partly = check.verdict == Verdict::Broken && rough().any(|seam| open(&seam));
+    let steps: Vec<f64> = rough().filter(|seam| !partly || open(seam)).map(|seam| seam.step).collect();
+    if steps.is_empty() {
+        return;
     }
+    let (seams, step) = (steps.len(), steps.iter().sum::<f64>() / steps.len() as f64);
+    notes.push(if partly {
+        Note::Open { seams, step, after_the_fix }
+    } else {
+        Note::Rough { seams, step, after_the_fix }
+    });
 }
 
 fn names(faces: &[Face]) -> String {
@@ -205,10 +220,18 @@ impl fmt::Display for Note {
                 write!(formatter, "{name} is one flat colour along its borders: it looks the same in any orientation")
             }
             Self::Undecided { faces } => {
-                write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))
+                write!(formatter, "undecided: the pixels do not tell how {} must be placed", names(faces))
             }
             Self::Rough { seams, step, after_the_fix } => {
                 formatter.write_str(&rough_seams(*seams, *step, *after_the_fix))
+            }
+            Self::Open { seams, step, after_the_fix } => {
+                let when = if *after_the_fix { " after the fix too" } else { "" };
+                let stay = if *seams == 1 { "stays" } else { "stay" };
+                write!(
+                    formatter,
+                    "{seams} of 12 seams {stay} open{when} (mean step {step:.1} of 255): the pixels do not tell how to close them"
+                )
             }
             Self::Unnamed { numbered } => {
                 let names = if *numbered { "numbers" } else { "names" };

@@ -15,10 +15,11 @@ pub(super) struct Grid<'a> {
 }
 
 /// Texels of a cell that are looked at, across and down.
-const LOOKED_AT: usize = 48;
-/// Codes by which an empty cell may differ from its colour, as JPEG files do, and the part of its texels that must not.
+const LOOKED_AT: usize = 128;
+/// Codes by which an empty cell may differ from its colour, as JPEG files do, and the part of its texels that must not: some
+/// authors sign there.
 const EMPTY_SPREAD: f32 = 8.0;
-const EMPTY_PART: f32 = 0.98;
+const EMPTY_PART: f32 = 0.9;
 /// The cell of -Z stands upright, not folded, if it continues so much better: the part of the folded step.
 const CLEARLY_BETTER: f32 = 0.5;
 
@@ -62,16 +63,7 @@ fn cell(column: usize, row: usize, turn: ImageOperation) -> Cell {
 fn arms(grid: &Grid, lanes: [usize; 2], at: impl Fn(usize, usize) -> (usize, usize)) -> Result<([usize; 2], usize)> {
     let mut found = [None; 2];
     for (arm, lane) in found.iter_mut().zip(lanes) {
-        let full: Vec<usize> = (0..4).filter(|&place| !grid.is_empty(at(lane, place))).collect();
-        *arm = match full[..] {
-            [] => None,
-            [place] => Some(place),
-            _ => {
-                return Err(
-                    grid.refused("its corner cells are not empty: this is one picture, not a cross of six faces")
-                );
-            }
-        };
+        *arm = grid.full_cell([0, 1, 2, 3].map(|place| at(lane, place)))?;
     }
     let front = found[0].or(found[1]).unwrap_or(1);
     Ok((found.map(|arm| arm.unwrap_or(front)), front))
@@ -104,22 +96,50 @@ impl Grid<'_> {
         Vec3::from_array(colour.to_array().map(|value| 255.0 * encode_srgb(value.clamp(0.0, 1.0))))
     }
 
-    /// True if nearly all of the cell has one colour. Its rim does not count: JPEG files smear the cells beside it.
-    fn is_empty(&self, cell: (usize, usize)) -> bool {
+    /// The one of four cells that is not empty; `None` if all are alike. A face may be of one colour too, a white ground say:
+    /// then it is the only one of another colour, or the only one with anything in it at all.
+    fn full_cell(&self, cells: [(usize, usize); 4]) -> Result<Option<usize>> {
+        let colours = cells.map(|cell| self.colour(cell));
+        let near = |one: Vec3, other: Vec3| (one - other).abs().max_element() <= EMPTY_SPREAD;
+        let full = |place: &usize| self.part_of_colour(cells[*place], colours[*place], EMPTY_SPREAD) < EMPTY_PART;
+        let differs = |place: &usize| (0..4).filter(|&other| near(colours[*place], colours[other])).count() == 1;
+        let dotted = |place: &usize| self.part_of_colour(cells[*place], colours[*place], 0.0) < 1.0;
+        match (0..4).filter(full).collect::<Vec<_>>()[..] {
+            [] => {}
+            [place] => return Ok(Some(place)),
+            _ => {
+                return Err(
+                    self.refused("its corner cells are not empty: this is one picture, not a cross of six faces")
+                );
+            }
+        }
+        let only = |found: Vec<usize>| if let [place] = found[..] { Some(place) } else { None };
+        Ok(only((0..4).filter(differs).collect()).or_else(|| only((0..4).filter(dotted).collect())))
+    }
+
+    /// The texels of a cell but for its rim, which JPEG files smear with the cells beside it; of large cells a part.
+    fn inner_texels(&self, cell: (usize, usize)) -> impl Iterator<Item = Vec3> + '_ {
         let side = self.side();
         let rim = side / 16;
         let count = LOOKED_AT.min(side - 2 * rim);
-        let place = |index: usize| rim + (2 * index + 1) * (side - 2 * rim) / (2 * count);
-        let at = |index: usize| self.code(cell, place(index % count), place(index / count));
-        let texels: Vec<Vec3> = (0..count * count).map(at).collect();
+        let place = move |index: usize| rim + (2 * index + 1) * (side - 2 * rim) / (2 * count);
+        (0..count * count).map(move |index| self.code(cell, place(index % count), place(index / count)))
+    }
+
+    /// The median colour of a cell.
+    fn colour(&self, cell: (usize, usize)) -> Vec3 {
         let median = |channel: usize| {
-            let mut values: Vec<f32> = texels.iter().map(|texel| texel[channel]).collect();
+            let mut values: Vec<f32> = self.inner_texels(cell).map(|texel| texel[channel]).collect();
             values.sort_by(f32::total_cmp);
             values[values.len() / 2]
         };
-        let colour = Vec3::new(median(0), median(1), median(2));
-        let near = texels.iter().filter(|&&texel| (texel - colour).abs().max_element() <= EMPTY_SPREAD).count();
-        near as f32 >= EMPTY_PART * texels.len() as f32
+        Vec3::new(median(0), median(1), median(2))
+    }
+
+    /// The part of a cell that has a colour, up to a spread.
+    fn part_of_colour(&self, cell: (usize, usize), colour: Vec3, spread: f32) -> f32 {
+        let near = |texel: &Vec3| (*texel - colour).abs().max_element() <= spread;
+        self.inner_texels(cell).filter(near).count() as f32 / self.inner_texels(cell).count() as f32
     }
 
     /// True if every cell continues those beside it, and there is something to continue.
