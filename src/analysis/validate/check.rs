@@ -10,8 +10,9 @@ use super::search::arrangement::{Arrangement, Problem};
 use super::search::convention::mirrored_faces;
 use super::search::convention::{self, Convention, Hints};
 use super::sky::Sky;
-use super::solve::{Search, Solution, UNRELATED, Unsettled, corrected};
+use super::solve::{Search, Solution, Unsettled, corrected};
 use super::story::Story;
+use super::thresholds::verdict::{TELLING_FACES, UNDECIDABLE_SEAMS, UNRELATED};
 use crate::envmap::source::Skybox;
 use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, Preset, SignedAxis};
 use crate::error::Result;
@@ -270,6 +271,9 @@ fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Ch
     let related = problem.mean_fit(found) < UNRELATED;
     let gapes = |&face: &Face| outlier::gapes(problem, borders, found, face);
     let undecidable = check.seams.iter().filter(|seam| seam.verdict == Verdict::Undecidable).count();
-    let tells = related && solution.telling_faces() >= 3 && undecidable < 6 && !Face::ALL.iter().any(gapes);
+    let tells = related
+        && solution.telling_faces() >= TELLING_FACES
+        && undecidable < UNDECIDABLE_SEAMS
+        && !Face::ALL.iter().any(gapes);
     if tells && solution.unsettled.is_none() { Verdict::Fits } else { Verdict::Undecidable }
 }

@@ -10,6 +10,8 @@
 //! 4. [`search::evidence`] says whether one way is decisively better than another, [`solve`] picks the simplest of those that
 //!    are equally good and leaves alone what the pixels do not decide, [`outlier`] finds faces that fit nowhere.
 //!
+//! 5. [`story`] tells what happened to the files; [`thresholds`] has every number that decides something.
+//!
 //! Data only: this module neither prints nor draws.
 
 mod borders;
@@ -21,6 +23,7 @@ pub(crate) mod search;
 mod sky;
 mod solve;
 mod story;
+mod thresholds;
 
 pub use borders::edge::{Edge, Side};
 pub use check::{Check, CheckOptions, FaceFix, Fix, ImageFacts, Names, Verdict, check, load};

@@ -9,6 +9,7 @@ use super::check::{Check, CheckOptions};
 use super::outlier::Reason;
 use super::seam::Seam;
 use super::search::convention::mirrored_faces;
+use super::thresholds::seam::{EXPOSED, ROUGH};
 use crate::envmap::{Face, SignedAxis};
 
 /// A remark in the report. [`Note::Outlier`], [`Note::NotSquare`] and [`Note::Sizes`] say why a map is broken.
@@ -123,7 +124,7 @@ fn exposures(check: &Check, borders: &Borders) -> Vec<Note> {
         let offsets: Vec<f64> = Edge::ALL.iter().filter(|edge| edge.touches(face)).map(offset).collect();
         let least = offsets.iter().fold(f64::INFINITY, |least, offset| least.min(offset.abs()));
         let alike = offsets.iter().all(|&offset| offset > 0.0) || offsets.iter().all(|&offset| offset < 0.0);
-        if alike && least > 2.0 {
+        if alike && least > EXPOSED {
             notes.push(Note::Exposure { image: lookup.row(face).image, codes: offsets.iter().sum::<f64>() / 4.0 });
         }
     }
@@ -165,7 +166,6 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
 
 /// Seams that are rough although the map fits, or would once it is fixed; and those that a fix leaves open.
 fn rough(check: &Check, notes: &mut Vec<Note>) {
-    const ROUGH: f64 = 3.0;
     if !check.outliers.is_empty() || check.verdict == Verdict::Undecidable {
         return;
     }

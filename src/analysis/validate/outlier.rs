@@ -2,8 +2,12 @@
 
 use super::borders::border::Borders;
 use super::borders::edge::Edge;
-use super::seam::{UNDECIDED_SEAM, measure};
+use super::seam::measure;
 use super::search::arrangement::{Arrangement, Problem};
+use super::thresholds::outlier::{
+    ANOTHER_PATTERN, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_STEP, VISIBLE,
+};
+use super::thresholds::seam::UNDECIDED;
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
 
@@ -25,26 +29,30 @@ pub enum Reason {
     AnotherScene,
 }
 
-/// The mean fit of the four seams of a face from which on it is a outlier.
-const OUTLIER: f64 = 0.8;
-/// The same for one of two equal images.
-const OUTLIER_COPY: f64 = 0.5;
-/// The same for one flat colour, which continues any plain picture but for its brightness.
-const OUTLIER_FLAT: f64 = 0.3;
-/// The mean step, of 255 codes, by which the neighbours must end in other colours than an outlier: a flat sky whose
-/// neighbours fade into about its colour is a picture of a flat sky, and a nearly black floor belongs to nearly black walls.
-const OUTLIER_STEP: f64 = 16.0;
-/// The mean fit that the eight other seams must reach.
-const FAMILIAR: f64 = 0.7;
-/// The mean score (step over detail) below which the seams are not a visible fault.
-const VISIBLE: f64 = 3.0;
+/// How a face fits among the others, in its best orientation.
+#[cfg(test)]
+pub struct Judged {
+    /// The mean fit of its four seams.
+    pub fit: f64,
+    /// Their mean step.
+    pub step: f64,
+    /// Their mean cost, brightness apart.
+    pub pattern: f64,
+    /// The agreement of the brightness along them.
+    pub agreement: f64,
+}
 
-/// The mean cost, brightness apart, that two unlike patterns have at least.
-const ANOTHER_PATTERN: f64 = 30.0;
-
-/// The agreement of the brightness along its four borders from which on a face is no outlier, however much its colours
-/// differ: a grey face among coloured ones, a face in a frame. Measured: outliers reach 5.3, grey faces 32.
-const KINDRED: f64 = 10.0;
+/// Judges a face as the thresholds do.
+#[cfg(test)]
+pub fn judge(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> Judged {
+    let (laid, fit) = best_laid(problem, arrangement, face);
+    Judged {
+        fit,
+        step: mean_step(problem, images, &laid, face),
+        pattern: pattern_cost(problem, &laid, face),
+        agreement: agreement(problem, arrangement, face),
+    }
+}
 
 /// The face that fits nothing, in any orientation, while the others fit as `arrangement` has them. The image of that face is
 /// left as it is given.
@@ -106,7 +114,7 @@ pub fn fits_elsewhere(
 /// whose seam with it closes: then nobody can say which. A face in grey or exposed otherwise keeps its patterns.
 pub fn gapes(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    touching.filter(|&edge| problem.fit(arrangement, edge) > UNDECIDED_SEAM).count() >= 3
+    touching.filter(|&edge| problem.fit(arrangement, edge) > UNDECIDED).count() >= 3
         && mean_score(problem, images, arrangement, face) >= VISIBLE
         && pattern_cost(problem, arrangement, face) >= ANOTHER_PATTERN
         && agreement(problem, arrangement, face) < KINDRED

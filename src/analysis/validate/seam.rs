@@ -4,6 +4,7 @@ use super::Verdict;
 use super::borders::border::{ImageBorders, Row, mean_step};
 use super::borders::edge::{Border, Edge};
 use super::search::arrangement::{Arrangement, Problem};
+use super::thresholds::seam::{BROKEN_COST, BROKEN_FACTOR, LEAST_DETAIL, UNDECIDED};
 
 /// One edge under one lookup.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,12 +19,6 @@ pub struct Seam {
     pub score: f64,
     pub verdict: Verdict,
 }
-
-/// The fit of a seam from which on its borders go as well with most others.
-pub const UNDECIDED_SEAM: f64 = 0.85;
-
-/// Detail below half a code is that of rounding.
-const LEAST_DETAIL: f64 = 0.5;
 
 /// Step and detail of an edge; the verdict is still to be found.
 pub fn measure(problem: &Problem, images: &[ImageBorders; 6], arrangement: &Arrangement, edge: usize) -> Seam {
@@ -61,14 +56,14 @@ pub fn seams(
     let judged = |edge: usize| {
         let mut seam = measure(problem, images, arrangement, edge);
         let cost = problem.edge_cost(arrangement, edge);
-        let mended = problem.cost_of_sides(found, problem.ends(arrangement, edge));
+        let repaired = problem.cost_of_sides(found, problem.ends(arrangement, edge));
         let at_outlier = outlier.iter().any(|&face| {
             let (names, _) = problem.ends(arrangement, edge);
             names.contains(&found.images[face.index()])
         });
-        seam.verdict = if at_outlier || cost > 1.3 * mended + 4.0 {
+        seam.verdict = if at_outlier || cost > BROKEN_FACTOR * repaired + BROKEN_COST {
             Verdict::Broken
-        } else if problem.fit(arrangement, edge) > UNDECIDED_SEAM {
+        } else if problem.fit(arrangement, edge) > UNDECIDED {
             Verdict::Undecidable
         } else {
             Verdict::Fits

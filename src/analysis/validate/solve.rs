@@ -12,6 +12,9 @@ use super::search::convention::mirrored_faces;
 use super::search::symmetry::Symmetry;
 use super::sky::Sky;
 use super::story::{Order, Story, with_faults};
+use super::thresholds::verdict::{
+    EDITED_ORIENTATIONS, REPAIRED, TELLING_FACES, TELLING_ORIENTATIONS, TORN_STEP, UNRELATED,
+};
 use crate::envmap::{CubeMap, Face, FaceLookup, Lookup, Orientation, SignedAxis};
 use crate::error::Result;
 
@@ -44,11 +47,6 @@ pub enum Unsettled {
     Faint,
 }
 
-/// The mean fit of seams from which on the six pictures have nothing to do with each other.
-pub const UNRELATED: f64 = 0.85;
-/// The mean step, of 255 codes, of seams that gape, and the part of it that a repair must leave at most.
-const TORN_STEP: f64 = 12.0;
-const REPAIRED: f64 = 1.0 / 3.0;
 /// Stories told beside the one that is taken.
 const MOST_TOLD: usize = 3;
 
@@ -132,7 +130,8 @@ impl Search<'_> {
         let given = self.given();
         let edited = solution.story.edited.iter().map(|face| face.index());
         let relaid = edited.filter(|&face| solution.arrangement.images[face] == given.images[face]);
-        solution.telling_faces() >= 3 && relaid.into_iter().all(|face| solution.excluded[face] >= 3)
+        solution.telling_faces() >= TELLING_FACES
+            && relaid.into_iter().all(|face| solution.excluded[face] >= EDITED_ORIENTATIONS)
     }
 
     /// True if the seams that differ gape in one arrangement and hardly in the other.
@@ -354,7 +353,7 @@ impl Search<'_> {
 impl Solution {
     /// Faces of which at least four other orientations are decisively worse.
     pub fn telling_faces(&self) -> usize {
-        self.excluded.iter().filter(|&&excluded| excluded >= 4).count()
+        self.excluded.iter().filter(|&&excluded| excluded >= TELLING_ORIENTATIONS).count()
     }
 
     /// True if the pixels tell this orientation of a face from all others that look different.

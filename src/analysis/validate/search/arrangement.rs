@@ -2,6 +2,7 @@
 
 use super::super::borders::edge::{Edge, EdgeBorders};
 use super::super::borders::pair_cost::{PairCosts, UNITS, Units, border_index};
+use super::super::thresholds::evidence::STRONG;
 use crate::envmap::{Face, Orientation};
 
 /// Per face the image it reads and how that is laid, relative to the given lookup.
@@ -123,9 +124,6 @@ pub struct Comparison {
     strong_losses: f64,
     strong: usize,
 }
-
-/// A difference of a unit that rounding and noise do not make: a factor of e in likelihood.
-const STRONG: f64 = 1.0;
 
 impl Comparison {
     fn add(&mut self, better: &Units, worse: &Units) {

@@ -234,7 +234,7 @@ mod tests {
           posx.png, negx.png, posy.png, negy.png, posz.png, negz.png
           right.png, left.png, top.png, bottom.png, front.png, back.png
           expected: one set
-          help: move all sets but one into folders of their own; a scene may also name the six files itself
+          help: name the one that is meant by what its files begin with, as in FOLDER/day_; or move the others elsewhere; a scene may also name the six files itself
         ");
     }
 
@@ -244,12 +244,12 @@ mod tests {
         insta::assert_snapshot!(find_faces(&paths).unwrap_err(), @r"
         no file in it is named like a face of a cube
           passed over: readme.txt, storm.jpg
-          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, with any prefix, case and extension
+          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and extension
           help: if storm.jpg holds all six faces as a cross or strip, give that file itself
         ");
         insta::assert_snapshot!(find_faces(&[]).unwrap_err(), @r"
         no files in it
-          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, with any prefix, case and extension
+          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and extension
         ");
     }
 }

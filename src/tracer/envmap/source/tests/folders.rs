@@ -62,7 +62,7 @@ fn a_missing_face_is_named() {
           negy: nothing
           posz: posz.png
           negz: negz.png
-          passed over: below.png
+          passed over: ground.png
           expected: one picture for each of the six faces
           help: rename files, or move those that do not belong out of the way; a scene may also name the six files itself
         ");
