@@ -19,7 +19,7 @@ pub struct ValidationOptions {
     /// The lookup that reads the map: a preset or a TOML file with a table
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "opengl")]
     pub lookup: String,
-    /// The axis that points up in your world
+    /// The axis that points up in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub world_up: Option<SignedAxis>,
     /// Images may not change places
@@ -48,7 +48,8 @@ impl ValidationOptions {
 
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// Folders, zips, crosses or strips; or a folder of maps
+    /// Folders, zips, crosses, strips or sheets; a folder of maps; one of several sets in a folder, as FOLDER/day_; or six square
+    /// pictures +X -X +Y -Y +Z -Z
     #[arg(required = true, value_name = "MAP")]
     maps: Vec<PathBuf>,
     #[command(flatten)]

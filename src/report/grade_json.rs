@@ -141,7 +141,7 @@ fn misfit_name(misfit: Misfit) -> &'static str {
         Misfit::PartlyBlack => "partly_black",
         Misfit::OneColour => "one_colour",
         Misfit::Smeared => "smeared",
-        Misfit::Diagonal => "diagonal",
+        Misfit::OneCoordinate => "one_coordinate",
         Misfit::Repeated => "repeated",
         Misfit::Unlike => "unlike",
     }

@@ -27,7 +27,10 @@ pub(super) fn cause(cause: Cause, v_origin: VOrigin) -> String {
             format!("the cases {} and {} of the switch are exchanged", one.constant_name(), other.constant_name())
         }
         Cause::OneCoordinateTwice(face) => {
-            format!("case {}: u is used for v, or v for u: the shot is constant along diagonals", face.constant_name())
+            format!(
+                "case {}: u is used for v, or v for u: nothing changes along the rows or the columns of the shot",
+                face.constant_name()
+            )
         }
         Cause::UpAlongTheView => "the shots along the vertical axis are black: up is parallel to the view there, so \
                                   right = forward x up is zero; take the up vectors listed above"
@@ -237,7 +240,9 @@ pub(super) fn out_of_range(misfit: Misfit) -> &'static str {
             "it is smeared into streaks: u or v leave the range from 0 to 1 and are clamped (is the division by the \
              largest component, or the step from -1..1 to 0..1, missing?)"
         }
-        Misfit::Diagonal => "it is constant along diagonals: u is used for v, or v for u",
+        Misfit::OneCoordinate => {
+            "nothing changes along its rows, or along its columns: u is used for v, or v for u, or one of the two is constant"
+        }
         Misfit::Repeated => {
             "it repeats itself: u or v run from -1 to 1 and are wrapped (is the step from -1..1 to 0..1 missing?)"
         }

@@ -62,7 +62,7 @@ impl Grade {
         if self.field_of_view.is_some_and(|angle| (angle - NOT_HALVED).abs() < ANGLE_TOLERANCE) {
             causes.push(Cause::NotHalved);
         }
-        let twice = self.faces.iter().filter(|face| face.misfit == Some(Misfit::Diagonal));
+        let twice = self.faces.iter().filter(|face| face.misfit == Some(Misfit::OneCoordinate));
         causes.extend(twice.map(|face| Cause::OneCoordinateTwice(face.face)));
         let vertical = |face: &FaceGrade| face.shot.axis() == usize::from(world_up.axis);
         if self.faces.iter().all(|face| vertical(face) == (face.misfit == Some(Misfit::Black))) {

@@ -10,6 +10,9 @@ const SAME: f32 = 0.004;
 /// A share of a shot that is worth naming.
 const PART: f64 = 0.2;
 
+/// All of it, but for rounding.
+const ALL: f64 = 0.95;
+
 /// What the shot looks like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Misfit {
@@ -19,8 +22,8 @@ pub enum Misfit {
     OneColour,
     /// Streaks: whole stretches of rows or columns repeat their neighbours.
     Smeared,
-    /// Constant along diagonals.
-    Diagonal,
+    /// Nothing changes along rows, or along columns.
+    OneCoordinate,
     /// Its halves are the same.
     Repeated,
     Unlike,
@@ -39,11 +42,11 @@ impl Misfit {
         if black > PART {
             return Self::PartlyBlack;
         }
+        if smeared(&cells, true) > ALL || smeared(&cells, false) > ALL {
+            return Self::OneCoordinate;
+        }
         if smeared(&cells, true) > PART || smeared(&cells, false) > PART {
             return Self::Smeared;
-        }
-        if is_diagonal(&cells) {
-            return Self::Diagonal;
         }
         if halves_are_alike(&cells, true) || halves_are_alike(&cells, false) {
             return Self::Repeated;
@@ -83,20 +86,6 @@ fn smeared(cells: &Codes, horizontally: bool) -> f64 {
         (1..SIDE).any(|across| difference(first, cell(cells, along, across, horizontally)) > 4.0 * SAME)
     };
     (0..SIDE - 1).filter(|&along| unchanged(along) && varies(along)).count() as f64 / (SIDE - 1) as f64
-}
-
-/// True if nothing changes along one of the two diagonals, but across it.
-fn is_diagonal(cells: &Codes) -> bool {
-    let step = |down: bool| {
-        let inner = (1..SIDE - 1).flat_map(|row| (0..SIDE - 1).map(move |column| (column, row)));
-        let steps = inner.map(|(column, row)| {
-            let next = if down { row + 1 } else { row - 1 };
-            difference(cells.at(row * SIDE + column), cells.at(next * SIDE + column + 1))
-        });
-        steps.sum::<f32>()
-    };
-    let (down, up) = (step(true), step(false));
-    down.min(up) < 0.2 * down.max(up)
 }
 
 /// True if one half of the shot repeats the other, and the half is not of one colour.

@@ -10,7 +10,7 @@ use super::outlier::Reason;
 use super::seam::Seam;
 use super::search::convention::mirrored_faces;
 use super::thresholds::seam::{EXPOSED, ROUGH};
-use crate::envmap::{Face, SignedAxis};
+use crate::envmap::{Face, Preset, SignedAxis};
 
 /// A remark in the report. [`Note::Outlier`], [`Note::NotSquare`] and [`Note::Sizes`] say why a map is broken.
 #[derive(Debug, Clone, PartialEq)]
@@ -71,6 +71,11 @@ pub enum Note {
         after: Vec<Face>,
         changes: bool,
     },
+    /// The axis that the fix puts above was taken from the lookup.
+    AssumedUp {
+        up: SignedAxis,
+        lookup: String,
+    },
     Sky {
         sky: Face,
         up: SignedAxis,
@@ -98,6 +103,10 @@ pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Op
     let after = mirrored_faces(&check.fix.lookup(&check.lookup));
     if !check.mirrored.is_empty() || !after.is_empty() {
         notes.push(Note::Mirrored { faces: check.mirrored.clone(), after, changes: check.fix.changes > 0 });
+    }
+    if options.world_up.is_none() && check.fix.changes > 0 {
+        let lookup = options.lookup_name.clone();
+        notes.push(Note::AssumedUp { up: Preset::usual_up_of(&lookup), lookup });
     }
     if let (Some(up), Some(sky)) = (options.world_up, sky) {
         let top = Face::on_axis(usize::from(up.axis), !up.negative);
@@ -204,11 +213,11 @@ impl fmt::Display for Note {
             }
             Self::Sizes { smallest, largest } => write!(
                 formatter,
-                "the images differ in size, from {smallest} to {largest} texels: no graphics library takes them as a cube map"
+                "the images differ in size, from {smallest} to {largest} texels: no graphics library takes this as a cube map"
             ),
             Self::NotSquare { images } => {
                 let are = if images.len() == 1 { "is" } else { "are" };
-                write!(formatter, "{} {are} not square: no graphics library takes them as a cube map", names(images))
+                write!(formatter, "{} {are} not square: no graphics library takes this as a cube map", names(images))
             }
             Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
             Self::Exposure { image, codes } => formatter.write_str(&exposed(*image, *codes)),
@@ -243,6 +252,9 @@ impl fmt::Display for Note {
             }
             Self::Mirrored { faces, after, changes } => {
                 formatter.write_str(&mirrored(faces, after, *changes && faces != after))
+            }
+            Self::AssumedUp { up, lookup } => {
+                write!(formatter, "assumed a world with {up} up, for the lookup {lookup}: --world-up says otherwise")
             }
             Self::Sky { sky, up, there, after_the_fix } => {
                 formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))

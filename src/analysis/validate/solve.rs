@@ -267,9 +267,9 @@ impl Search<'_> {
     }
 }
 
-/// The combinations of equally good orientations, at most a few thousand of them.
+/// The combinations of equally good orientations, at most a few hundred of them.
 fn variants(best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<Arrangement> {
-    const MOST: usize = 4096;
+    const MOST: usize = 512;
     let mut variants = vec![*best];
     for face in Face::ALL {
         if variants.len() * ties[face.index()].len() > MOST {

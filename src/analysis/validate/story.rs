@@ -66,9 +66,13 @@ impl Story {
 /// What it costs to tell an arrangement as an order and faults on top of it.
 fn cost_on(order: &Order, arrangement: &Arrangement, free_names: bool) -> u32 {
     let edits = Face::ALL.map(|face| edit_at(order, arrangement, face));
+    let edited = edits.iter().filter(|&&edit| edit > 0).count();
+    let has_too_many = |faults: usize| order.convention.is_some() && faults > MOST_FAULTS;
+    if has_too_many(edited) {
+        return u32::MAX;
+    }
     let rings = rings(&order.arrangement, arrangement);
-    let faults = rings.len() + edits.iter().filter(|&&edit| edit > 0).count();
-    if order.convention.is_some() && faults > MOST_FAULTS {
+    if has_too_many(edited + rings.len()) {
         return u32::MAX;
     }
     order.cost + rings.iter().map(|ring| exchange_cost(ring, free_names)).sum::<u32>() + edits.iter().sum::<u32>()

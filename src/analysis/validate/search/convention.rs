@@ -35,6 +35,8 @@ pub enum Convention {
     ZUpRightHanded,
     /// Front, right, back, left, up, down: cells and numbers of Pannellum and Minecraft.
     FrontFirst,
+    /// Sheets of Minecraft's OptiFine: bottom, top, south, west, north, east.
+    Optifine,
 }
 
 /// What the names and formats of the files say about their order.
@@ -52,6 +54,8 @@ pub struct Hints {
 
 /// Assuming an order that the names or the format of the files announce.
 const ANNOUNCED: u32 = 5;
+/// Assuming a usual order of numbers or cells, which have no names: less than to tell the same file by file.
+const NUMBERED: u32 = 2;
 /// Assuming the table of another lookup for an upright world.
 const OTHER_TABLE: u32 = 10;
 /// As much as two files exchanged: where both explain a map, the pictures decide.
@@ -62,7 +66,7 @@ const SIDEWAYS: u32 = 25;
 const MIRRORED: u32 = 35;
 
 impl Convention {
-    const ALL: [Self; 12] = [
+    const ALL: [Self; 13] = [
         Self::BottomUp,
         Self::Mirrored,
         Self::Opengl,
@@ -75,6 +79,7 @@ impl Convention {
         Self::ZUp,
         Self::ZUpRightHanded,
         Self::FrontFirst,
+        Self::Optifine,
     ];
 
     /// The name in JSON.
@@ -92,6 +97,7 @@ impl Convention {
             Self::ZUp => "z-up",
             Self::ZUpRightHanded => "z-up-right-handed",
             Self::FrontFirst => "front-first",
+            Self::Optifine => "optifine",
         }
     }
 
@@ -109,6 +115,7 @@ impl Convention {
             Self::ZUp => read([PosX, NegX, PosZ, NegZ, PosY, NegY]),
             Self::ZUpRightHanded => read([PosX, NegX, PosZ, NegZ, NegY, PosY]),
             Self::FrontFirst => read([NegX, NegY, PosZ, NegZ, PosX, PosY]),
+            Self::Optifine => read([NegZ, NegY, NegX, PosX, PosZ, PosY]),
             Self::Opengl => table(lookup, Preset::Opengl),
             Self::Course => table(lookup, Preset::Course),
             Self::HumusZUp => table(lookup, Preset::HumusZUp),
@@ -132,7 +139,7 @@ impl Convention {
             Self::Quake => announced(hints.quake_names),
             Self::Unity => announced(hints.unity_names),
             Self::ZUp | Self::ZUpRightHanded => y_up.then_some(LIKE_AN_EXCHANGE),
-            Self::FrontFirst => announced(hints.free_names),
+            Self::FrontFirst | Self::Optifine => hints.free_names.then_some(NUMBERED),
         }
     }
 }
@@ -197,6 +204,7 @@ impl fmt::Display for Convention {
             Self::Unity => "Unity's convention: left is +X, right -X",
             Self::ZUp => "these files are named for a world with z up: posz is the top",
             Self::ZUpRightHanded => "these files are named for a right-handed world with z up: posz is the top",
+            Self::Optifine => "OptiFine's order: bottom, top, south, west, north, east",
             Self::FrontFirst => "the order of Pannellum and Minecraft: front, right, back, left, up, down",
         })
     }
