@@ -158,8 +158,8 @@ fn six_square_pictures_are_one_map() {
     let output = skycube(&folder, &["check", "sky"]);
     let report = text(&output.stdout);
     assert!(report.contains("fits") && report.contains("the names of the files do not tell the faces"), "{report}");
-    let refused = skycube(&folder, &["cross", "sky", "-o", "cross.png", "--cell", "32"]);
-    assert_eq!(refused.status.code(), Some(0), "{}", text(&refused.stderr));
+    let drawn = skycube(&folder, &["cross", "sky", "-o", "cross.png", "--cell", "32"]);
+    assert_eq!(drawn.status.code(), Some(0), "{}", text(&drawn.stderr));
 }
 
 #[test]

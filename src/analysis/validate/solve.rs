@@ -72,7 +72,7 @@ impl Search<'_> {
     /// Finds the fix. What the pixels do not tell for at least half of the faces is no ground to change anything, unless
     /// the seams gape.
     pub fn solve(&self) -> Result<Solution> {
-        let (best, any_order) = self.best(self.problem);
+        let (best, any_order) = self.best(None);
         for reference in self.references(&best) {
             if let Some(solution) = self.around_outlier(&reference, &best)? {
                 return Ok(solution);
@@ -99,7 +99,7 @@ impl Search<'_> {
     fn references(&self, best: &Arrangement) -> Vec<Arrangement> {
         let mut references = vec![self.given(), *best];
         if Face::ALL.iter().any(|&face| outlier::gapes(self.problem, self.images, best, face)) {
-            references.extend(Face::ALL.map(|image| self.best(&self.problem.without(image)).0));
+            references.extend(Face::ALL.map(|image| self.best(Some(image)).0));
         }
         references
     }
@@ -169,8 +169,10 @@ impl Search<'_> {
         Ok(found)
     }
 
-    /// The cheapest arrangement, and whether images changed places for it.
-    fn best(&self, problem: &Problem) -> (Arrangement, bool) {
+    /// The cheapest arrangement, without the seams of an image if one is given, and whether images changed places for it.
+    fn best(&self, without: Option<Face>) -> (Arrangement, bool) {
+        let silenced = without.map(|image| self.problem.without(image));
+        let problem = silenced.as_ref().unwrap_or(self.problem);
         let trusted = cheapest(problem, &self.given(), Freedom::TRUSTED);
         let free = || cheapest(problem, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
         match self.names {
@@ -178,7 +180,7 @@ impl Search<'_> {
             Names::AnyOrder => (free(), true),
             Names::Auto => {
                 let free = free();
-                if problem.ties(&free, &trusted) { (trusted, false) } else { (free, true) }
+                if self.is_as_good(&free, &trusted, without.as_slice()) { (trusted, false) } else { (free, true) }
             }
         }
     }

@@ -33,7 +33,7 @@ pub struct Order {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Story {
     pub order: Option<Convention>,
-    /// Faces whose files are in each other's place: two, or a ring in which every face reads the file of the next.
+    /// Files in each other's place, by the names they have: two, or a ring in which each takes the picture of the next.
     pub exchanged: Vec<Vec<Face>>,
     /// Faces whose file is turned or flipped.
     pub edited: Vec<Face>,
@@ -84,11 +84,13 @@ fn edit_at(order: &Order, arrangement: &Arrangement, face: Face) -> u32 {
 
 /// What it costs to bring the files of a ring into their places: one exchange less than there are files.
 fn exchange_cost(ring: &[Face], free_names: bool) -> u32 {
-    match ring {
-        _ if free_names => EXCHANGE_OF_FREE_NAMES * (ring.len() as u32 - 1),
-        [one, other] if one.axis() == other.axis() => EXCHANGE_OF_OPPOSITES,
-        _ => EXCHANGE * (ring.len() as u32 - 1),
+    let exchanges = ring.len() as u32 - 1;
+    if free_names {
+        return EXCHANGE_OF_FREE_NAMES * exchanges;
     }
+    let opposites = ring.iter().filter(|one| ring.contains(&(-one.signed_axis()).face())).count() as u32 / 2;
+    let easy = opposites.min(exchanges);
+    EXCHANGE_OF_OPPOSITES * easy + EXCHANGE * (exchanges - easy)
 }
 
 /// What it costs to bring a file from one orientation to another.
@@ -103,7 +105,7 @@ fn edit_cost(from: Orientation, to: Orientation) -> u32 {
     }
 }
 
-/// The faces that read other images in the second arrangement than in the first, as rings.
+/// The images that are read in other places in the second arrangement than in the first, as rings.
 fn rings(from: &Arrangement, to: &Arrangement) -> Vec<Vec<Face>> {
     let mut seen = [false; 6];
     let mut rings = Vec::new();
@@ -112,11 +114,13 @@ fn rings(from: &Arrangement, to: &Arrangement) -> Vec<Vec<Face>> {
         let mut face = start;
         while !seen[face.index()] {
             seen[face.index()] = true;
-            ring.push(face);
+            ring.push(from.images[face.index()]);
             // The face that used to read what this one reads now.
             face = from.face_of(to.images[face.index()]).unwrap_or(face);
         }
         if ring.len() > 1 {
+            let first = (0..ring.len()).min_by_key(|&index| ring[index]).unwrap_or(0);
+            ring.rotate_left(first);
             rings.push(ring);
         }
     }
@@ -207,7 +211,10 @@ mod tests {
         let mut arrangement = own().arrangement;
         arrangement.images = [Face::PosZ, Face::NegX, Face::PosY, Face::NegY, Face::NegZ, Face::PosX];
         let story = Story::of(&arrangement, &[own()], false);
-        assert_eq!((story.exchanged, story.cost), (vec![vec![Face::PosX, Face::PosZ, Face::NegZ]], 2 * EXCHANGE));
+        assert_eq!(
+            (story.exchanged, story.cost),
+            (vec![vec![Face::PosX, Face::PosZ, Face::NegZ]], EXCHANGE_OF_OPPOSITES + EXCHANGE)
+        );
     }
 
     #[test]

@@ -93,15 +93,14 @@ impl PairCosts {
         self.totals[index(one, other, reversed)]
     }
 
-    /// The same, but the borders of an image cost nothing.
+    /// The same, but the borders of an image cost the same with all others: wherever it lies, it tells nothing.
     pub fn without(&self, image: Face) -> Self {
         let mut costs = self.clone();
+        let mean = self.totals.iter().sum::<f64>() / self.totals.len() as f64;
         for (one, other) in (0..24).flat_map(|one| (0..24).map(move |other| (one, other))) {
             if [one, other].iter().any(|border| border / 4 == image.index()) {
                 for index in [false, true].map(|reversed| index(one, other, reversed)) {
-                    costs.units[index] = [0.0; UNITS];
-                    costs.totals[index] = 0.0;
-                    costs.correlations[index] = Correlation::default();
+                    costs.totals[index] = mean;
                 }
             }
         }

@@ -42,7 +42,7 @@ pub struct Problem {
 }
 
 impl Problem {
-    /// The same without the seams of an image: wherever that lies, it costs nothing.
+    /// The same for a search that the seams of an image do not lead: wherever that lies, it costs the same.
     pub fn without(&self, image: Face) -> Self {
         Self { borders: self.borders.clone(), costs: self.costs.without(image) }
     }
