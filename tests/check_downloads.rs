@@ -158,7 +158,7 @@ fn six_square_pictures_are_one_map() {
     let output = skycube(&folder, &["check", "sky"]);
     let report = text(&output.stdout);
     assert!(report.contains("fits") && report.contains("the names of the files do not tell the faces"), "{report}");
-    let drawn = skycube(&folder, &["cross", "sky", "-o", "cross.png", "--cell", "32"]);
+    let drawn = skycube(&folder, &["cross", "sky", "-o", "cross.png", "--cell", "64"]);
     assert_eq!(drawn.status.code(), Some(0), "{}", text(&drawn.stderr));
 }
 

@@ -99,10 +99,10 @@ impl Tally {
     }
 }
 
-fn tell(name: &str, map: &Map, foreign: &Map) -> [Tally; 6] {
+fn tell(name: &str, map: &Map, foreign: &Map, orders: &[&Order]) -> [Tally; 6] {
     let mut tallies: [Tally; 6] = Default::default();
     let size = map.pictures()[0].width();
-    for order in &ORDERS {
+    for order in orders {
         let files = Files::in_order(map, order);
         let mut add = |kind: usize, what: String, files: Files| {
             tallies[kind].add(&format!("{name}, {}: {what}", order.name), map, &files, order.files);
@@ -130,13 +130,13 @@ fn tell(name: &str, map: &Map, foreign: &Map) -> [Tally; 6] {
 const KINDS: [&str; 6] = ["exchanged", "turned", "flipped", "of another scene", "flat", "black"];
 
 /// The maps by name, each with one whose faces are of another scene.
-fn run(names: &[&str], size: usize) -> usize {
+fn run(names: &[&str], size: usize, orders: &[&Order]) -> usize {
     let maps: Vec<(&str, Map)> =
         right_maps().into_iter().map(|(name, map)| (name, map.stored(&Storage::png(size)))).collect();
     let mut others = 0;
     for (index, (name, map)) in maps.iter().enumerate().filter(|(_, map)| names.is_empty() || names.contains(&map.0)) {
         let foreign = &maps[(index + 1) % maps.len()].1;
-        for (kind, tally) in KINDS.iter().zip(tell(name, map, foreign)) {
+        for (kind, tally) in KINDS.iter().zip(tell(name, map, foreign, orders)) {
             let Tally { told, also, undecided, other } = &tally;
             println!(
                 "{name:28} {size:4} {kind:16} told {told:3} equal {also:3} undecided {undecided:3} other {:3}",
@@ -153,14 +153,15 @@ fn run(names: &[&str], size: usize) -> usize {
 
 #[test]
 fn the_story_told_is_the_one_that_happened() {
-    assert_eq!(run(&["courtyard"], 64), 0);
+    let [own, _, _, top_bottom, _, quake] = &ORDERS;
+    assert_eq!(run(&["courtyard"], 64, &[own, top_bottom, quake]), 0);
 }
 
 #[test]
 #[ignore = "minutes: all maps at hand"]
 fn the_stories_of_all_maps() {
     for size in [64, 256] {
-        println!("{} other stories", run(&[], size));
+        println!("{} other stories", run(&[], size, &ORDERS.each_ref()));
     }
 }
 

@@ -36,7 +36,7 @@ struct Corrected {
     what: String,
 }
 
-/// Checks the map and repairs it. Ends with faults if a face remains that does not belong or has the wrong size.
+/// Checks the map and repairs it. Ends with faults if the map is still broken.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
         return Err(Error::new("it is not said where the fix shall go")
@@ -69,7 +69,11 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
             "undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"
         ));
     }
-    Ok(if check.unrepaired().is_empty() { Outcome::Clean } else { Outcome::Faults })
+    let still_broken = check.verdict == Verdict::Broken && (check.fix.changes == 0 || !check.unrepaired().is_empty());
+    if still_broken && check.unrepaired().is_empty() {
+        super::remark(format_args!("broken, but no change is certain; nothing was changed\n"));
+    }
+    Ok(if still_broken { Outcome::Faults } else { Outcome::Clean })
 }
 
 fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {

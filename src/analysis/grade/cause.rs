@@ -33,11 +33,12 @@ const ANGLE_TOLERANCE: f64 = 2.0;
 impl Grade {
     /// What the code does for each face if the camera is right.
     fn faces_of_code(&self) -> &[FaceGrade; 6] {
-        let of_lookup = |alternative| match alternative {
-            &Alternative::Lookup(ref faces) => Some(&**faces),
-            _ => None,
-        };
-        self.alternatives.iter().find_map(of_lookup).unwrap_or(&self.faces)
+        for alternative in &self.alternatives {
+            if let Alternative::Lookup(faces) = alternative {
+                return faces;
+            }
+        }
+        &self.faces
     }
 
     /// The slips that explain these shots, the likeliest first. `lookup` is the one that the code should have.
@@ -59,7 +60,7 @@ impl Grade {
             }
             causes.extend(exchanged_cases(faces, lookup));
         }
-        if self.field_of_view.is_some_and(|angle| (angle - NOT_HALVED).abs() < ANGLE_TOLERANCE) {
+        if self.unhalved || self.field_of_view.is_some_and(|angle| (angle - NOT_HALVED).abs() < ANGLE_TOLERANCE) {
             causes.push(Cause::NotHalved);
         }
         let twice = self.faces.iter().filter(|face| face.misfit == Some(Misfit::OneCoordinate));

@@ -64,20 +64,15 @@ pub(super) fn select(names: &[&str]) -> Selection {
 const MOSTLY_UNNAMED: usize = 4;
 
 /// Six names that differ only in a number that counts from one to the next.
-fn numbered(names: &[&str]) -> Option<Selection> {
-    let mut groups: Vec<((&str, &str), Vec<(u32, usize)>)> = Vec::new();
-    for (file, name) in names.iter().enumerate().filter(|(_, name)| is_readable_format(name)) {
-        let Some((prefix, number, suffix)) = naming::number(name) else { continue };
-        match groups.iter_mut().find(|(affixes, _)| *affixes == (prefix, suffix)) {
-            Some((_, files)) => files.push((number, file)),
-            None => groups.push(((prefix, suffix), vec![(number, file)])),
-        }
-    }
-    let mut sets = groups.into_iter().filter_map(|((prefix, _), mut files)| {
-        files.sort_unstable();
-        let counts = files.windows(2).all(|pair| pair[1].0 == pair[0].0 + 1);
-        let files: [usize; 6] = files.iter().map(|&(_, file)| file).collect::<Vec<_>>().try_into().ok()?;
-        counts.then_some((prefix, files))
+fn numbered<'a>(names: &[&'a str]) -> Option<Selection> {
+    let numbers = |(file, name): (usize, &&'a str)| naming::number(name).map(|found| (found, file));
+    let readable = names.iter().enumerate().filter(|(_, name)| is_readable_format(name));
+    let mut files: Vec<((&str, u32, &str), usize)> = readable.filter_map(numbers).collect();
+    files.sort_by_key(|&((prefix, number, suffix), _)| (prefix, suffix, number));
+    let mut sets = files.chunk_by(|(one, _), (other, _)| (one.0, one.2) == (other.0, other.2)).filter_map(|files| {
+        let counts = files.windows(2).all(|pair| pair[1].0.1 == pair[0].0.1 + 1);
+        let six: [usize; 6] = files.iter().map(|&(_, file)| file).collect::<Vec<_>>().try_into().ok()?;
+        counts.then_some((files[0].0.0, six))
     });
     let (Some((prefix, files)), None) = (sets.next(), sets.next()) else { return None };
     Some(match naming::numbered_order(prefix) {
