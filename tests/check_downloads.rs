@@ -135,3 +135,82 @@ fn a_line_names_faces_that_do_not_belong_beside_what_changes() {
     let line = report.lines().nth(1).unwrap();
     assert!(line.contains("negz u' = 1-u; ") && line.contains("posx (posx.png) does not belong here"), "{report}");
 }
+
+/// The names of the compass's files in another form.
+fn rename(folder: &Path, name: impl Fn(usize, &str) -> String) {
+    for (index, face) in ["posx", "negx", "posy", "negy", "posz", "negz"].iter().enumerate() {
+        let renamed = folder.join(name(index, face)).with_extension("png");
+        std::fs::rename(folder.join(face).with_extension("png"), renamed).unwrap();
+    }
+}
+
+#[test]
+fn six_square_pictures_are_one_map() {
+    let folder = TempDir::new().unwrap();
+    copy_compass(folder.path(), "sky");
+    rename(&folder.path().join("sky"), |index, _| ["a", "b", "c", "d", "e", "f"][index].to_owned());
+    let files = ["a", "b", "c", "d", "e", "f"].map(|name| format!("sky/{name}.png"));
+    let arguments: Vec<&str> = std::iter::once("check").chain(files.iter().map(String::as_str)).collect();
+    let output = skycube(&folder, &arguments);
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    assert!(text(&output.stdout).contains(": fits under the lookup opengl"), "{}", text(&output.stdout));
+    // As a folder the names say nothing: the pixels put the pictures in order, and that is said.
+    let output = skycube(&folder, &["check", "sky"]);
+    let report = text(&output.stdout);
+    assert!(report.contains("fits") && report.contains("the names of the files do not tell the faces"), "{report}");
+    let drawn = skycube(&folder, &["cross", "sky", "-o", "cross.png", "--cell", "64"]);
+    assert_eq!(drawn.status.code(), Some(0), "{}", text(&drawn.stderr));
+}
+
+#[test]
+fn numbered_pictures_are_put_in_order() {
+    let folder = TempDir::new().unwrap();
+    copy_compass(folder.path(), "sky");
+    // Front, right, back, left, up, down, as Pannellum counts.
+    rename(&folder.path().join("sky"), |index, _| format!("pano{}", [1, 3, 4, 5, 0, 2][index]));
+    let output = skycube(&folder, &["check", "sky"]);
+    let report = text(&output.stdout);
+    assert!(report.contains("the order of Pannellum and Minecraft"), "{report}");
+    assert!(!report.contains("turn ") && !report.contains("flip "), "{report}");
+    assert_eq!(skycube(&folder, &["fix", "sky", "-o", "fixed"]).status.code(), Some(0));
+    assert_eq!(skycube(&folder, &["check", "fixed"]).status.code(), Some(0));
+}
+
+#[test]
+fn several_sets_in_a_folder_are_checked_one_by_one() {
+    let folder = TempDir::new().unwrap();
+    for time in ["day", "night"] {
+        copy_compass(folder.path(), time);
+        for face in ["posx", "negx", "posy", "negy", "posz", "negz"] {
+            let from = folder.path().join(time).join(face).with_extension("png");
+            let into = folder.path().join(format!("{time}_{face}.png"));
+            std::fs::rename(from, into).unwrap();
+        }
+        std::fs::remove_dir(folder.path().join(time)).unwrap();
+    }
+    let output = skycube(&folder, &["check", "."]);
+    let report = text(&output.stdout).replace('\\', "/");
+    assert_eq!(
+        report.lines().collect::<Vec<_>>(),
+        ["./day: fits", "./night: fits", "2 maps: 2 fit, 0 broken, 0 undecidable, 0 could not be checked"]
+    );
+    let one = skycube(&folder, &["check", "night_"]);
+    assert!(text(&one.stdout).starts_with("night_: fits under"), "{}", text(&one.stdout));
+}
+
+#[test]
+fn sizes_that_no_cube_map_has_are_broken() {
+    let folder = TempDir::new().unwrap();
+    copy_compass(folder.path(), "sky");
+    let small = Raster::from_function(64, 64, |_, _| Vec3::splat(0.5));
+    skycube::picture::write(&small, &folder.path().join("sky/posy.png"), &WriteOptions::default()).unwrap();
+    for arguments in [&["check", "sky"][..], &["check", "sky", "sky"]] {
+        let output = skycube(&folder, arguments);
+        assert_eq!(output.status.code(), Some(1));
+        assert!(text(&output.stdout).contains("the images differ in size"), "{}", text(&output.stdout));
+    }
+    let narrow = Raster::from_function(64, 48, |_, _| Vec3::splat(0.5));
+    skycube::picture::write(&narrow, &folder.path().join("sky/posy.png"), &WriteOptions::default()).unwrap();
+    let output = skycube(&folder, &["check", "sky", "sky"]);
+    assert!(text(&output.stdout).contains("posy is not square"), "{}", text(&output.stdout));
+}

@@ -10,7 +10,7 @@ use std::process::Command;
 
 use skycube::envmap::source::Skybox;
 use skycube::envmap::{Face, Preset, SignedAxis};
-use skycube::grade::{Alternative, CameraFault, FaceGrade, Grade, GradeVerdict, Grader, Misfit, ShotFrame};
+use skycube::grade::{Alternative, CameraFault, Cause, FaceGrade, Grade, GradeVerdict, Grader, Misfit, ShotFrame};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::render::AxisShot;
 use skycube::stress::Random;
@@ -437,6 +437,61 @@ fn a_texture_read_out_of_range_fits_no_orientation() {
     let black = Student { tone: (1.0, 0.0, 1.0), ..RIGHT }.grade(photographs);
     assert_eq!(black.verdict(), GradeVerdict::OutOfRange);
     assert!(black.faces.iter().all(|face| face.misfit == Some(Misfit::Black)));
+}
+
+#[test]
+fn usual_slips_are_named() {
+    let lookup = Preset::Course.lookup();
+    let named = |grade: &Grade| grade.causes(&lookup, SignedAxis::POS_Z);
+    for photographs in maps() {
+        let of = |student: &Student| named(&student.grade(&photographs));
+        let all = |orientation: usize| Student { faces: RIGHT.faces.map(|(image, _)| (image, orientation)), ..RIGHT };
+        assert_eq!(of(&RIGHT), [], "{}", photographs.name);
+        assert_eq!(of(&all(1)), [Cause::UFromTheOtherEnd], "{}", photographs.name);
+        assert_eq!(of(&all(2)), [Cause::VFromTheOtherEnd], "{}", photographs.name);
+        let mut unsigned = RIGHT;
+        for face in [1, 3, 5] {
+            unsigned.faces[face].1 = 3;
+        }
+        assert_eq!(of(&unsigned), [Cause::AbsForgotten], "{}", photographs.name);
+        for (faces, orientation) in [([0, 1], 1), ([2, 3], 1), ([4, 5], 2)] {
+            let mut exchanged = RIGHT;
+            for (face, other) in [(faces[0], faces[1]), (faces[1], faces[0])] {
+                exchanged.faces[face] = (other, orientation);
+            }
+            assert_eq!(
+                of(&exchanged),
+                [Cause::CasesExchanged(faces.map(|face| Face::ALL[face]))],
+                "{}",
+                photographs.name
+            );
+        }
+        for beyond in [Beyond::Border, Beyond::Repeated, Beyond::Black] {
+            let unhalved = Student { range: (2.0, -0.5), beyond, ..RIGHT };
+            assert_eq!(of(&unhalved), [Cause::NotHalved], "{} {beyond:?}", photographs.name);
+            let neither = Student { divides: false, ..unhalved }.grade(&photographs);
+            let found = (neither.undivided, named(&neither));
+            assert_eq!(found, (true, vec![Cause::NotHalved]), "{} {beyond:?}", photographs.name);
+        }
+        let mut shots = RIGHT.shots(&photographs);
+        for axis in [4, 5] {
+            shots[axis] = Student { tone: (1.0, 0.0, 1.0), ..RIGHT }.shot(&photographs, axis);
+        }
+        assert_eq!(named(&photographs.grader.grade(&shots)), [Cause::UpAlongTheView], "{}", photographs.name);
+    }
+}
+
+#[test]
+fn the_lookup_of_the_code_is_read_from_its_shots() {
+    let lookup = Preset::Course.lookup();
+    let photographs = &maps()[0];
+    let mut student = RIGHT;
+    (student.faces[3], student.faces[0]) = ((3, 1), (1, 0));
+    let code = student.grade(photographs).lookup_of_code(&lookup);
+    let [right, own] = [lookup, code].map(|table| table.row(Face::NegY));
+    assert_eq!((own.image, own.u, own.v), (right.image, -right.u, right.v));
+    assert_eq!(code.row(Face::PosX).image, Face::NegX);
+    assert_eq!(code.row(Face::PosZ), lookup.row(Face::PosZ));
 }
 
 #[test]

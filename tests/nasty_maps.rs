@@ -46,7 +46,7 @@ fn maps() -> Vec<(&'static str, Map)> {
 /// What was found, for messages.
 fn found(check: &Check) -> String {
     let fixes = check.fix.faces.map(|fix| (fix.image.name(), fix.orientation.formulas(), fix.decided));
-    format!("{:?} {:?} {fixes:?}", check.verdict, check.foreign)
+    format!("{:?} {:?} {fixes:?}", check.verdict, check.outliers)
 }
 
 #[track_caller]
@@ -177,14 +177,15 @@ fn a_copy_in_the_place_of_another_face_is_named() {
             }
             let check = with(&map, copy, map.pictures()[original].clone()).check(Names::Auto);
             let reason = Reason::CopyOf(Face::ALL[original]);
-            let named = check.foreign.iter().any(|foreign| foreign.face == Face::ALL[copy] && foreign.reason == reason);
+            let named =
+                check.outliers.iter().any(|outlier| outlier.face == Face::ALL[copy] && outlier.reason == reason);
             assert!(named, "{name}: {copy} is a copy of {original}: {}", found(&check));
         }
     }
 }
 
 #[test]
-fn faint_frames_that_only_some_faces_show_do_not_make_strangers() {
+fn faint_frames_that_only_some_faces_show_do_not_make_outliers() {
     for (name, map) in right_maps() {
         for size in [64, 128, 256] {
             let small = map.stored(&Storage::png(size));
@@ -228,9 +229,9 @@ fn a_face_that_does_not_belong_is_named() {
             }
             for (picture, reason) in cases {
                 let check = with(map, face, picture).check(Names::Auto);
-                let foreign: Vec<(Face, Reason)> = check.foreign.iter().map(|one| (one.face, one.reason)).collect();
+                let outlier: Vec<(Face, Reason)> = check.outliers.iter().map(|one| (one.face, one.reason)).collect();
                 assert_eq!(check.verdict, Verdict::Broken, "{name} {face} {reason:?}: {}", found(&check));
-                assert_eq!(foreign, [(Face::ALL[face], reason)], "{name}");
+                assert_eq!(outlier, [(Face::ALL[face], reason)], "{name}");
                 assert_eq!(check.fix.changes, 0, "{name} {face} {reason:?}");
             }
         }
@@ -247,14 +248,14 @@ fn a_flat_face_is_a_note_unless_its_neighbours_end_otherwise() {
     });
     let sky = with(&fading, 2, computed(SIZE, |_, _| [150.0, 180.0, 200.0]));
     let check = sky.check(Names::Auto);
-    assert!(check.verdict != Verdict::Broken && check.foreign.is_empty(), "{}", found(&check));
+    assert!(check.verdict != Verdict::Broken && check.outliers.is_empty(), "{}", found(&check));
     assert!(check.notes.contains(&Note::Flat { image: Face::PosY }), "{:?}", check.notes);
     assert!(!check.fix.faces[2].decided);
     let compass = &maps()[0].1;
     for colour in [[0.0; 3], [255.0; 3], [128.0; 3]] {
         let check = with(compass, 3, computed(SIZE, |_, _| colour)).check(Names::Auto);
-        let foreign: Vec<(Face, Reason)> = check.foreign.iter().map(|one| (one.face, one.reason)).collect();
-        assert_eq!((check.verdict, foreign), (Verdict::Broken, vec![(Face::NegY, Reason::Flat)]), "{colour:?}");
+        let outlier: Vec<(Face, Reason)> = check.outliers.iter().map(|one| (one.face, one.reason)).collect();
+        assert_eq!((check.verdict, outlier), (Verdict::Broken, vec![(Face::NegY, Reason::Flat)]), "{colour:?}");
     }
 }
 

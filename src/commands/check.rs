@@ -8,7 +8,7 @@ use super::map_options::check_skybox;
 use super::options::read_lookup;
 use super::terminal::{Outcome, print, remark};
 use crate::envmap::SignedAxis;
-use crate::envmap::source::{Skybox, is_meant_as_map};
+use crate::envmap::source::{Skybox, is_meant_as_map, is_passed_over, sets_in};
 use crate::error::{Error, Result};
 use crate::report::{CheckReport, failed_check_json};
 use crate::validate::{Check, CheckOptions, Names, Verdict};
@@ -19,7 +19,7 @@ pub struct ValidationOptions {
     /// The lookup that reads the map: a preset or a TOML file with a table
     #[arg(long, value_name = "NAME|FILE.toml", default_value = "opengl")]
     pub lookup: String,
-    /// The axis that points up in your world
+    /// The axis that points up in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub world_up: Option<SignedAxis>,
     /// Images may not change places
@@ -48,7 +48,8 @@ impl ValidationOptions {
 
 #[derive(Debug, Args)]
 pub struct CheckArguments {
-    /// Folders, zips, crosses or strips; or a folder of maps
+    /// Folders, zips, crosses, strips or sheets; a folder of maps; one of several sets in a folder, as FOLDER/day_; or six square
+    /// pictures +X -X +Y -Y +Z -Z
     #[arg(required = true, value_name = "MAP")]
     maps: Vec<PathBuf>,
     #[command(flatten)]
@@ -64,6 +65,10 @@ pub struct CheckArguments {
 /// Checks one map in full, or several with a line each.
 pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
     read_lookup(&arguments.validation.lookup)?;
+    if let Some(skybox) = Skybox::of_six_squares(&arguments.maps) {
+        let name = arguments.maps.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" ");
+        return check_one(Path::new(&name), &skybox, arguments);
+    }
     if let [map] = &arguments.maps[..]
         && let Ok(skybox) = Skybox::open_lenient(map)
     {
@@ -78,6 +83,10 @@ pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
 
 /// The maps that an argument stands for: those inside a folder of maps, else the argument itself.
 fn maps_at(path: &Path) -> Vec<PathBuf> {
+    let sets = sets_in(path);
+    if !sets.is_empty() {
+        return sets;
+    }
     let inside = if is_map(path) { Vec::new() } else { maps_inside(path) };
     if inside.is_empty() { vec![path.to_owned()] } else { inside }
 }
@@ -107,7 +116,14 @@ fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     let mut maps = Vec::new();
     for path in paths {
         let archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
-        if archive || is_map(&path) {
+        let is_face = |name: &std::ffi::OsStr| !is_passed_over(&name.to_string_lossy());
+        if path.is_file() && !archive && !path.file_name().is_some_and(is_face) {
+            continue;
+        }
+        let sets = sets_in(&path);
+        if !sets.is_empty() {
+            maps.extend(sets);
+        } else if archive || is_map(&path) {
             maps.push(path);
         } else if path.is_dir() && !path.is_symlink() {
             maps.extend(maps_at(&path));

@@ -36,11 +36,11 @@ struct Corrected {
     what: String,
 }
 
-/// Checks the map and repairs it. Ends with faults if a face remains that does not belong.
+/// Checks the map and repairs it. Ends with faults if the map is still broken.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
         return Err(Error::new("it is not said where the fix shall go")
-            .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|toml for the corrected lookup"));
+            .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|java|python|csharp|toml for the corrected lookup"));
     }
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let check = arguments.validation.check(&skybox)?;
@@ -52,11 +52,11 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
             remark(format_args!("nothing to fix: the faces fit as they are\n"));
         }
     }
-    for note in check.notes.iter().take(check.foreign.len()) {
+    for note in check.unrepaired() {
         remark(format_args!("not repaired: {note}\n"));
     }
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
-    if check.verdict == Verdict::Broken && check.foreign.is_empty() {
+    if check.verdict == Verdict::Broken && check.outliers.is_empty() {
         for fix in undecided {
             remark(format_args!("left as it is: the pixels do not tell how {} must be placed\n", fix.face.name()));
         }
@@ -64,7 +64,11 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if check.verdict == Verdict::Undecidable {
         remark(format_args!("undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"));
     }
-    Ok(if check.foreign.is_empty() { Outcome::Clean } else { Outcome::Faults })
+    let still_broken = check.verdict == Verdict::Broken && (check.fix.changes == 0 || !check.unrepaired().is_empty());
+    if still_broken && check.unrepaired().is_empty() {
+        super::remark(format_args!("broken, but no change is certain; nothing was changed\n"));
+    }
+    Ok(if still_broken { Outcome::Faults } else { Outcome::Clean })
 }
 
 fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
@@ -85,8 +89,8 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     for file in &files {
         print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
     }
-    if let Some(convention) = check.fix.convention {
-        print(format_args!("{convention}\n"));
+    for sentence in check.fix.story.sentences() {
+        print(format_args!("{sentence}\n"));
     }
     Ok(())
 }
@@ -125,7 +129,7 @@ mod tests {
     use crate::picture;
 
     #[test]
-    fn unchanged_faces_are_copied_and_others_laid() {
+    fn unchanged_faces_are_copied_and_others_placed() {
         let folder = tempfile::tempdir().unwrap();
         let compass = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass");
         for face in Face::ALL {

@@ -12,7 +12,7 @@ use crate::error::{Error, Result};
 use crate::grade::{GradeVerdict, Grader, ShotFrame};
 use crate::picture::{Picture, read};
 use crate::render::AxisShot;
-use crate::report::GradeReport;
+use crate::report::{CodeLanguage, GradeReport, lookup_code};
 use crate::validate::load;
 
 #[derive(Debug, Args)]
@@ -32,6 +32,9 @@ pub struct GradeArguments {
     /// The axis that points upwards in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     world_up: Option<SignedAxis>,
+    /// Print the repaired function instead, marking what your code has otherwise
+    #[arg(long, value_name = "LANGUAGE", conflicts_with = "json")]
+    code: Option<CodeLanguage>,
     /// Print the grade as JSON
     #[arg(long)]
     json: bool,
@@ -41,7 +44,7 @@ pub struct GradeArguments {
 pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
     let lookup_name = arguments.lookup.as_deref().unwrap_or("course");
     let lookup = read_lookup(lookup_name)?;
-    let world_up = arguments.world_up.unwrap_or_else(|| usual_up(lookup_name));
+    let world_up = arguments.world_up.unwrap_or_else(|| Preset::usual_up_of(lookup_name));
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let shots = read_shots(&arguments.shots)?;
     let map = load(&skybox, lookup)?;
@@ -55,16 +58,16 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
         map: &name,
         lookup: lookup_name,
         lookup_given: arguments.lookup.is_some(),
-        v_origin: lookup.v_origin(),
+        table: lookup,
         world_up,
     };
-    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    print(match arguments.code {
+        Some(language) => lookup_code(&lookup, &grade.lookup_of_code(&lookup), language),
+        None if arguments.json => format!("{}\n", report.to_json()),
+        None => report.to_string(),
+    });
     let clean = matches!(grade.verdict(), GradeVerdict::Right | GradeVerdict::Undecided);
     Ok(if clean { Outcome::Clean } else { Outcome::Faults })
-}
-
-fn usual_up(lookup: &str) -> SignedAxis {
-    Preset::named(lookup).map_or(SignedAxis::POS_Z, Preset::usual_up)
 }
 
 /// The six shots in the order of [`Face::ALL`].

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::options::read_lookup;
-use crate::envmap::source::Skybox;
+use crate::envmap::source::{Naming, Skybox};
 use crate::envmap::{CubeFilter, CubeMap, Face, Lookup, Preset, SignedAxis};
 use crate::error::Result;
-use crate::validate::{Check, CheckOptions, ImageFacts, check, load};
+use crate::validate::{Check, CheckOptions, ImageFacts, Names, Note, check, load};
 
 /// A map and the lookup it is seen through.
 #[derive(Debug, Args)]
@@ -84,7 +84,16 @@ impl OpenMap {
 /// A skybox under a lookup, all images decoded on all cores, and what the validator says of it.
 pub fn check_skybox(skybox: &Skybox, lookup: Lookup, options: &CheckOptions) -> Result<(CubeMap, Check)> {
     let map = load(skybox, lookup)?;
-    let check = check(&map, ImageFacts::of_skybox(skybox), options)?;
+    // Where names or cells do not say which face an image is, the pixels must.
+    let names = match options.names {
+        Names::Auto if skybox.naming.is_free() => Names::AnyOrder,
+        names => names,
+    };
+    let options = CheckOptions { names, ..options.clone() };
+    let mut check = check(&map, ImageFacts::of_skybox(skybox), &options)?;
+    if matches!(skybox.naming, Naming::Numbers | Naming::Nothing) {
+        check.notes.push(Note::Unnamed { numbered: skybox.naming == Naming::Numbers });
+    }
     Ok((map, check))
 }
 
@@ -95,7 +104,7 @@ impl ViewOptions {
             return (world_up, None);
         }
         let name = &self.map.lookup;
-        let world_up = Preset::named(name).map_or(SignedAxis::POS_Z, Preset::usual_up);
+        let world_up = Preset::usual_up_of(name);
         (
             world_up,
             Some(format!("assumed a world with {world_up} up, for the lookup {name}: --world-up says otherwise")),

@@ -8,7 +8,7 @@
 //! verdict:    fits | broken | undecidable
 //! seams:      [ { edge, step, detail, score, verdict } ]                      twelve, as they are now
 //! fix:        { faces: [ { face, image, u, v, image_operation, decided } ],   six; u, v of those the lookup computes
-//!               changes, convention, margin, seams_after, equivalents }
+//!               story, also: [ text ], changes, convention, margin, seams_after, equivalents }
 //! handedness: { mirrored: [ face ] }
 //! notes:      [ text ]
 //! ```
@@ -37,14 +37,14 @@ impl<'a> CheckReport<'a> {
 
     /// The report in one line: verdict, and what to do.
     pub fn line(&self) -> String {
-        let Check { verdict, fix, foreign, notes, .. } = self.check;
-        let mut what = match fix.convention {
-            _ if *verdict != Verdict::Broken => Vec::new(),
-            Some(convention) => vec![convention.to_string()],
-            None => self.changed().map(|face| self.change(face)).collect(),
-        };
-        // The first notes are those on faces that do not belong, which no change repairs.
-        what.extend(notes.iter().take(foreign.len()).map(ToString::to_string));
+        let Check { verdict, fix, .. } = self.check;
+        let mut what = Vec::new();
+        if *verdict == Verdict::Broken {
+            what.extend(fix.story.sentences());
+            let edited = fix.faces.iter().filter(|face| fix.story.edited.contains(&face.face));
+            what.extend(edited.map(|face| self.change(face)));
+        }
+        what.extend(self.check.unrepaired().iter().map(ToString::to_string));
         let separator = if what.is_empty() { "" } else { ": " };
         format!("{}: {}{separator}{}", self.map, verdict.name(), what.join("; "))
     }
@@ -122,6 +122,9 @@ struct JsonSeam {
 #[derive(serde::Serialize)]
 struct JsonFix {
     faces: Vec<JsonFaceFix>,
+    /// What happened to the files, and other stories that are as short.
+    story: String,
+    also: Vec<String>,
     changes: usize,
     convention: Option<&'static str>,
     margin: f64,
@@ -162,8 +165,10 @@ impl<'a> Json<'a> {
             seams: seams(&check.seams),
             fix: JsonFix {
                 faces: check.fix.faces.iter().map(|fix| face_fix(fix, &check.lookup)).collect(),
+                story: check.fix.story.to_string(),
+                also: check.fix.also.iter().map(ToString::to_string).collect(),
                 changes: check.fix.changes,
-                convention: check.fix.convention.map(|convention| convention.name()),
+                convention: check.fix.convention().map(|convention| convention.name()),
                 margin: rounded(check.fix.margin, 1),
                 seams_after: seams(&check.fix.seams_after),
                 equivalents: check.fix.equivalents,
@@ -209,9 +214,15 @@ impl fmt::Display for CheckReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Check { verdict, fix, lookup_name, .. } = self.check;
         writeln!(formatter, "{}: {} under the lookup {lookup_name}", self.map, verdict.name())?;
-        if let Some(convention) = fix.convention {
-            writeln!(formatter, "  {convention}")?;
-            writeln!(formatter, "  or the same face by face:")?;
+        let sentences = fix.story.sentences();
+        for sentence in &sentences {
+            writeln!(formatter, "  {sentence}")?;
+        }
+        for other in &fix.also {
+            writeln!(formatter, "  as short a story of the same seams: {other}")?;
+        }
+        if !sentences.is_empty() {
+            writeln!(formatter, "  face by face:")?;
         }
         for face in self.changed() {
             self.write_change(face, formatter)?;
@@ -247,8 +258,8 @@ impl fmt::Display for CheckReport<'_> {
 impl CheckReport<'_> {
     /// How many fixes are as good as the one shown, and why.
     fn equally_good(&self) -> String {
-        let Check { fix, lookup, foreign, .. } = self.check;
-        if !foreign.is_empty() {
+        let Check { fix, lookup, outliers, .. } = self.check;
+        if !outliers.is_empty() {
             return "equally good orientations: not counted, since a face does not belong here".to_owned();
         }
         if fix.equivalents == 1 {
@@ -292,9 +303,12 @@ impl CheckReport<'_> {
 /// Why the fix of a map changes nothing, as a sentence without its full stop: the map may fit, be undecidable, or have
 /// faces that do not belong, which no lookup repairs.
 pub fn nothing_to_fix(check: &Check) -> String {
-    let outliers: Vec<&str> = check.foreign.iter().map(|foreign| foreign.face.name()).collect();
+    let outliers: Vec<&str> = check.outliers.iter().map(|outlier| outlier.face.name()).collect();
     match check.verdict {
         Verdict::Fits => "the map fits under this lookup: nothing to fix".to_owned(),
+        _ if !check.has_equal_squares() => {
+            "broken: the faces are not square or not of one size, which no lookup repairs".to_owned()
+        }
         _ if !outliers.is_empty() => {
             format!("broken, and no lookup repairs it: {}: the picture does not belong here", outliers.join(", "))
         }

@@ -1,4 +1,4 @@
-//! A lookup as source code: one case per face in the form of the exercise's `get_texel`, ready to paste.
+//! A lookup as source code: the exercise's `get_texel` with one case per face, ready to paste.
 
 use std::fmt::Write;
 
@@ -11,102 +11,212 @@ pub enum CodeLanguage {
     Cpp,
     Glsl,
     Rust,
+    Java,
+    Python,
+    Csharp,
     /// The form that `--lookup FILE.toml` reads.
     Toml,
 }
 
 /// The corrected lookup; every line that differs from the given one says so and what it was.
 pub fn lookup_code(corrected: &Lookup, given: &Lookup, language: CodeLanguage) -> String {
-    let (head, tail, comment) = frame(language);
-    let mut text = String::new();
     let origin = name_of(corrected.v_origin());
+    let rows = Face::ALL.map(|face| (face, corrected.row(face), given.row(face)));
     if language == CodeLanguage::Toml {
-        let _ = writeln!(text, "v_origin = \"{origin}\"");
-    } else {
-        let _ = writeln!(text, "{comment} v = 0 is the {origin} row of the image.");
+        return format!("v_origin = \"{origin}\"\n{}", rows.map(toml_row).concat());
     }
-    text.push_str(head);
-    for face in Face::ALL {
-        let (now, before) = (corrected.row(face), given.row(face));
-        text.push_str(&case(face, now, language));
-        if now != before {
-            let _ = write!(text, "  {comment} changed, was: {}", assignments(face, before, language));
-        }
-        text.push('\n');
-    }
-    text.push_str(tail);
-    text
+    let Form { comment, head, tail, .. } = form(language);
+    format!(
+        "{comment} v = 0 is the {origin} row of the image.\n{head}{}{tail}",
+        rows.map(|row| case(language, row)).concat()
+    )
 }
 
-/// What stands before and after the cases, and how a comment begins.
-fn frame(language: CodeLanguage) -> (&'static str, &'static str, &'static str) {
+fn toml_row((face, now, before): (Face, FaceLookup, FaceLookup)) -> String {
+    let table =
+        |row: FaceLookup| format!("{{ image = \"{}\", u = \"{}\", v = \"{}\" }}", row.image.name(), row.u, row.v);
+    let was = if now == before { String::new() } else { format!("  # changed, was: {}", table(before)) };
+    format!("{} = {}{was}\n", face.name(), table(now))
+}
+
+/// How a language writes the function.
+struct Form {
+    comment: &'static str,
+    /// Up to the first case.
+    head: &'static str,
+    /// What begins and ends a case; `#` stands for the face.
+    case: [&'static str; 2],
+    /// What a statement ends with, and a number.
+    end: &'static str,
+    number: &'static str,
+    tail: &'static str,
+}
+
+fn form(language: CodeLanguage) -> Form {
     match language {
-        CodeLanguage::Cpp => (
-            "// In: direction d. Out: image, u, v.\nswitch (face) {  // the face of the largest component of d\n",
-            "}\n",
-            "//",
-        ),
-        CodeLanguage::Glsl => {
-            ("// In: vec3 d. Out: int image, float u, v.\nswitch (face) {  // of the largest component\n", "}\n", "//")
-        }
-        CodeLanguage::Rust => (
-            "// In: direction d and its face, that of the largest component.\nlet (image, u, v) = match face {\n",
-            "};\n",
-            "//",
-        ),
-        CodeLanguage::Toml => ("", "", "#"),
+        CodeLanguage::Cpp => Form {
+            comment: "//",
+            head: CPP,
+            case: ["        case #:", "            break;\n"],
+            end: ";",
+            number: "f",
+            tail: "    }\n}\n",
+        },
+        CodeLanguage::Glsl => Form {
+            comment: "//",
+            head: GLSL,
+            case: ["        case #:", "            break;\n"],
+            end: ";",
+            number: "",
+            tail: "    }\n}\n",
+        },
+        CodeLanguage::Rust => Form {
+            comment: "//",
+            head: RUST,
+            case: ["        # => {", "        }\n"],
+            end: ";",
+            number: "",
+            tail: "    }\n    (image, u, v)\n}\n",
+        },
+        CodeLanguage::Java => Form {
+            comment: "//",
+            head: JAVA,
+            case: ["        case #:", "            break;\n"],
+            end: ";",
+            number: "f",
+            tail: "    }\n    return new Texel(image, u, v);\n}\n",
+        },
+        CodeLanguage::Python => Form {
+            comment: "#",
+            head: PYTHON,
+            case: ["    if face == #:", ""],
+            end: "",
+            number: "",
+            tail: "    return image, u, v\n",
+        },
+        CodeLanguage::Csharp => Form {
+            comment: "//",
+            head: CSHARP,
+            case: ["        case #:", "            break;\n"],
+            end: ";",
+            number: "f",
+            tail: "        default: throw new System.ArgumentException();\n    }\n    return (image, u, v);\n}\n",
+        },
+        CodeLanguage::Toml => unreachable!("a table, not a function"),
     }
 }
 
-fn case(face: Face, row: FaceLookup, language: CodeLanguage) -> String {
-    let assignments = assignments(face, row, language);
-    match language {
-        CodeLanguage::Cpp | CodeLanguage::Glsl => format!("    case {}: {assignments} break;", face.constant_name()),
-        CodeLanguage::Rust => format!("    Face::{face:?} => {assignments},"),
-        CodeLanguage::Toml => format!("{} = {assignments}", face.name()),
-    }
-}
-
-/// What a face computes, in the words of the language.
-fn assignments(face: Face, row: FaceLookup, language: CodeLanguage) -> String {
-    let coordinate = |axis: SignedAxis| {
-        let sign = if axis.negative { "-" } else { " " };
-        let component = |axis: usize| ["d.x", "d.y", "d.z"][axis];
-        let largest = match language {
-            CodeLanguage::Rust => format!("{}.abs()", component(face.axis())),
-            CodeLanguage::Cpp => format!("std::abs({})", component(face.axis())),
-            _ => format!("abs({})", component(face.axis())),
-        };
-        format!(
-            "0.5{} * ({sign}{} / {largest} + 1.0{})",
-            suffix(language),
-            component(usize::from(axis.axis)),
-            suffix(language)
-        )
+/// One face: three statements, and what they were where they changed.
+fn case(language: CodeLanguage, (face, now, before): (Face, FaceLookup, FaceLookup)) -> String {
+    let Form { comment, case: [start, tail], end, number, .. } = form(language);
+    let name = |face: Face| match language {
+        CodeLanguage::Rust => format!("Face::{face:?}"),
+        _ => face.constant_name().to_owned(),
     };
-    match language {
-        CodeLanguage::Toml => format!("{{ image = \"{}\", u = \"{}\", v = \"{}\" }}", row.image.name(), row.u, row.v),
-        CodeLanguage::Rust => format!("(Face::{:?}, {}, {})", row.image, coordinate(row.u), coordinate(row.v)),
-        _ => format!("image = {}; u = {}; v = {};", row.image.constant_name(), coordinate(row.u), coordinate(row.v)),
+    let coordinate = |axis: SignedAxis| {
+        let sign = if axis.negative { "-" } else { "" };
+        format!("0.5{number} * ({sign}{} / m + 1.0{number})", ["x", "y", "z"][usize::from(axis.axis)])
+    };
+    let statements = |row: FaceLookup| [("image", name(row.image)), ("u", coordinate(row.u)), ("v", coordinate(row.v))];
+    let mut text = format!("{}\n", start.replace('#', &name(face)));
+    let indent = if language == CodeLanguage::Python { "        " } else { "            " };
+    for ((variable, now), (_, before)) in statements(now).into_iter().zip(statements(before)) {
+        let was = if now == before { String::new() } else { format!("  {comment} changed, was: {before}") };
+        let _ = writeln!(text, "{indent}{variable} = {now}{end}{was}");
     }
+    text + tail
 }
 
-fn suffix(language: CodeLanguage) -> &'static str {
-    if language == CodeLanguage::Cpp { "f" } else { "" }
-}
+const CPP: &str = "\
+// In: a direction d. Out: the image to read, and u, v in it from 0 to 1.
+void get_texel(const Vec3& d, int& image, float& u, float& v) {
+    const float x = d.x, y = d.y, z = d.z;
+    const float m = std::max({std::abs(x), std::abs(y), std::abs(z)});
+    const int face = m == std::abs(x)   ? (x > 0 ? POS_X : NEG_X)
+                     : m == std::abs(y) ? (y > 0 ? POS_Y : NEG_Y)
+                                        : (z > 0 ? POS_Z : NEG_Z);
+    switch (face) {
+";
+
+const GLSL: &str = "\
+// In: a direction d. Out: the image to read, and u, v in it from 0 to 1.
+void get_texel(in vec3 d, out int image, out float u, out float v) {
+    float x = d.x, y = d.y, z = d.z;
+    float m = max(max(abs(x), abs(y)), abs(z));
+    int face = m == abs(x)   ? (x > 0.0 ? POS_X : NEG_X)
+               : m == abs(y) ? (y > 0.0 ? POS_Y : NEG_Y)
+                             : (z > 0.0 ? POS_Z : NEG_Z);
+    switch (face) {
+";
+
+const RUST: &str = "\
+// In: a direction d. Out: the image to read, and u, v in it from 0 to 1.
+fn get_texel(d: Vec3) -> (Face, f32, f32) {
+    let (x, y, z) = (d.x, d.y, d.z);
+    let m = x.abs().max(y.abs()).max(z.abs());
+    let face = match m {
+        _ if m == x.abs() => if x > 0.0 { Face::PosX } else { Face::NegX },
+        _ if m == y.abs() => if y > 0.0 { Face::PosY } else { Face::NegY },
+        _ => if z > 0.0 { Face::PosZ } else { Face::NegZ },
+    };
+    let (image, u, v);
+    match face {
+";
+
+const JAVA: &str = "\
+// In: a direction d. Out: the image to read, and u, v in it from 0 to 1.
+static Texel getTexel(Vec3 d) {
+    final float x = d.x, y = d.y, z = d.z;
+    final float m = Math.max(Math.max(Math.abs(x), Math.abs(y)), Math.abs(z));
+    final int face = m == Math.abs(x) ? (x > 0 ? POS_X : NEG_X)
+            : m == Math.abs(y) ? (y > 0 ? POS_Y : NEG_Y)
+            : (z > 0 ? POS_Z : NEG_Z);
+    int image = 0;
+    float u = 0, v = 0;
+    switch (face) {
+";
+
+const PYTHON: &str = "\
+# In: a direction d of x, y, z. Out: the image to read, and u, v in it from 0 to 1.
+def get_texel(d):
+    x, y, z = d
+    m = max(abs(x), abs(y), abs(z))
+    if m == abs(x):
+        face = POS_X if x > 0 else NEG_X
+    elif m == abs(y):
+        face = POS_Y if y > 0 else NEG_Y
+    else:
+        face = POS_Z if z > 0 else NEG_Z
+";
+
+const CSHARP: &str = "\
+// In: a direction d. Out: the image to read, and u, v in it from 0 to 1.
+static (Face image, float u, float v) GetTexel(Vector3 d) {
+    float x = d.x, y = d.y, z = d.z;
+    float m = Math.Max(Math.Max(Math.Abs(x), Math.Abs(y)), Math.Abs(z));
+    Face face = m == Math.Abs(x) ? (x > 0 ? POS_X : NEG_X)
+        : m == Math.Abs(y) ? (y > 0 ? POS_Y : NEG_Y)
+        : (z > 0 ? POS_Z : NEG_Z);
+    Face image;
+    float u, v;
+    switch (face) {
+";
 
 #[cfg(test)]
 mod tests {
+    use clap::ValueEnum;
+
     use super::*;
     use crate::envmap::Preset;
 
     #[test]
     fn code_marks_what_changed() {
         let (course, exercise) = (Preset::Course.lookup(), Preset::Exercise.lookup());
-        insta::assert_snapshot!(lookup_code(&course, &exercise, CodeLanguage::Cpp));
-        insta::assert_snapshot!(lookup_code(&course, &exercise, CodeLanguage::Glsl));
-        insta::assert_snapshot!(lookup_code(&course, &exercise, CodeLanguage::Rust));
-        insta::assert_snapshot!(lookup_code(&course, &exercise, CodeLanguage::Toml));
+        for language in CodeLanguage::value_variants() {
+            let code = lookup_code(&course, &exercise, *language);
+            assert!(code.lines().all(|line| line.chars().count() < 100), "{code}");
+            insta::assert_snapshot!(format!("code_{language:?}"), code);
+        }
     }
 
     #[test]

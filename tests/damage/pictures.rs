@@ -122,11 +122,16 @@ impl Map {
     }
 
     pub fn check(&self, names: Names) -> Check {
+        self.check_named(names, Face::ALL.map(Face::name))
+    }
+
+    /// The check of files with these names, which stand for the faces in their order.
+    pub fn check_named(&self, names: Names, files: [&str; 6]) -> Check {
         let images = self.pictures.clone().map(LazyImage::ready);
         let map = CubeMap::new(images, Preset::Opengl.lookup(), CubeFilter::Nearest);
         let facts = |face: Face| {
             let Header { width, height, format, alpha, .. } = self.pictures[face.index()].header();
-            ImageFacts { face, file: format!("{}.png", face.name()), width, height, format, alpha }
+            ImageFacts { face, file: format!("{}.png", files[face.index()]), width, height, format, alpha }
         };
         let options = CheckOptions { names, lookup_name: "opengl".to_owned(), ..CheckOptions::default() };
         check(&map, Face::ALL.map(facts).to_vec(), &options).unwrap()

@@ -93,9 +93,9 @@ fn a_camera_that_explains_as_much_as_a_lookup_is_mentioned() {
 }
 
 fn report(grade: &Grade) -> String {
-    let (lookup, v_origin) = ("humus-z-up", Preset::HumusZUp.lookup().v_origin());
+    let (lookup, table) = ("humus-z-up", Preset::HumusZUp.lookup());
     let world_up = SignedAxis::POS_Z;
-    GradeReport { grade, map: "courtyard", lookup, lookup_given: true, v_origin, world_up }.to_string()
+    GradeReport { grade, map: "courtyard", lookup, lookup_given: true, table, world_up }.to_string()
 }
 
 #[test]

@@ -10,6 +10,9 @@ const SAME: f32 = 0.004;
 /// A share of a shot that is worth naming.
 const PART: f64 = 0.2;
 
+/// All of it, but for rounding.
+const ALL: f64 = 0.95;
+
 /// What the shot looks like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -20,6 +23,8 @@ pub enum Misfit {
     OneColour,
     /// Streaks: whole stretches of rows or columns repeat their neighbours.
     Smeared,
+    /// Nothing changes along rows, or along columns.
+    OneCoordinate,
     /// Its halves are the same.
     Repeated,
     Unlike,
@@ -37,6 +42,9 @@ impl Misfit {
         }
         if black > PART {
             return Self::PartlyBlack;
+        }
+        if smeared(&cells, true) > ALL || smeared(&cells, false) > ALL {
+            return Self::OneCoordinate;
         }
         if smeared(&cells, true) > PART || smeared(&cells, false) > PART {
             return Self::Smeared;

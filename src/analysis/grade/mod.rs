@@ -7,6 +7,7 @@
 //!    [`misfit`] what a shot looks like that shows no image.
 
 mod alternative;
+mod cause;
 mod explanation;
 mod field_of_view;
 mod matching;
@@ -16,6 +17,7 @@ mod thumbnail;
 mod tone;
 
 pub use alternative::{Alternative, PresetReading};
+pub use cause::{Cause, other_ups};
 pub use explanation::FaceGrade;
 pub use misfit::Misfit;
 pub use placement::{CameraFault, Placement, ShotFrame};
@@ -45,6 +47,18 @@ const LARGEST: usize = 512;
 /// Share of the variance that may be left unexplained before code without the division is thought of.
 const UNDIVIDED: f64 = 0.02;
 
+/// The middle of a shot, as a share of its side, in which code that neither divides nor halves shows the image alone: where
+/// `2 a / sqrt(1 + a^2)` is 1.
+const WHOLE_IMAGE: f64 = 0.577;
+
+/// What code shows that does not divide by the largest component.
+struct Undivided {
+    images: [Codes; 6],
+    shots: [Codes; 6],
+    /// False if it does not halve the coordinates either.
+    halved: bool,
+}
+
 /// What is wrong, in one word.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -67,6 +81,8 @@ pub struct Grade {
     pub field_of_view: Option<f64>,
     /// True if the code does not divide the two coordinates by the largest component.
     pub undivided: bool,
+    /// True if that code does not halve them either.
+    pub unhalved: bool,
     /// In the order of [`Face::ALL`].
     pub faces: [FaceGrade; 6],
     /// Other explanations of the same pictures.
@@ -99,9 +115,9 @@ impl Grader {
         let shots = shots.each_ref().map(|shot| limited(Codes::of_picture(shot)));
         let mut views = self.views(&self.images, &shots);
         let mut scale = views.scale();
-        let warped = self.undivided_images(&views, scale, &shots);
-        if let Some(warped) = &warped {
-            views = self.views(warped, &shots);
+        let undivided = self.undivided(&views, scale, &shots);
+        if let Some(found) = &undivided {
+            views = self.views(&found.images, &found.shots);
             scale = 1.0;
         }
         let images = views.levels(scale, SIDE);
@@ -110,7 +126,8 @@ impl Grader {
         let camera = evidence.camera();
         Grade {
             camera,
-            undivided: warped.is_some(),
+            undivided: undivided.is_some(),
+            unhalved: undivided.as_ref().is_some_and(|found| !found.halved),
             field_of_view: (scale != 1.0).then(|| field_of_view::degrees(scale)),
             faces: evidence.under(camera),
             alternatives: evidence.alternatives(camera),
@@ -118,15 +135,29 @@ impl Grader {
         }
     }
 
-    /// The images as code shows them that does not divide, if they explain decisively more than the best scale does.
-    fn undivided_images(&self, views: &Views, scale: f64, shots: &[Codes; 6]) -> Option<[Codes; 6]> {
+    /// Images and shots as they compare for code that does not divide, if that explains decisively more than the best scale
+    /// does. Where the coordinates are not halved either, an image fills the middle of a shot.
+    fn undivided(&self, views: &Views, scale: f64, shots: &[Codes; 6]) -> Option<Undivided> {
         let misfit = views.misfit(scale);
         if misfit <= UNDIVIDED {
             return None;
         }
-        let warped = self.images.each_ref().map(Codes::undivided);
-        let explains_more = self.views(&warped, shots).misfit(1.0) < 0.5 * misfit;
-        explains_more.then_some(warped)
+        let middle = |codes: &Codes| codes.reduced(Middle(WHOLE_IMAGE), codes.width.min(codes.height));
+        let found = [true, false].map(|halved| match halved {
+            true => Undivided {
+                images: self.images.each_ref().map(|image| image.undivided(1.0)),
+                shots: shots.clone(),
+                halved,
+            },
+            false => Undivided {
+                images: self.images.each_ref().map(|image| middle(&image.undivided(2.0))),
+                shots: shots.each_ref().map(middle),
+                halved,
+            },
+        });
+        let judged = found.map(|found| (self.views(&found.images, &found.shots).misfit(1.0), found));
+        let best = judged.into_iter().min_by(|one, other| one.0.total_cmp(&other.0));
+        best.filter(|(left, _)| *left < 0.5 * misfit).map(|(_, found)| found)
     }
 
     fn views<'a>(&self, images: &'a [Codes; 6], shots: &'a [Codes; 6]) -> Views<'a> {

@@ -47,15 +47,16 @@ impl Codes {
         Self { width: side, height: side, values }
     }
 
-    /// The picture as code shows it that computes `u = (y + 1) / 2` from a direction of unit length, without dividing by
-    /// its largest component: at `(a, b)` of `[-1, 1]^2` stands what should stand at `(a, b) / sqrt(1 + a^2 + b^2)`.
-    pub fn undivided(&self) -> Self {
+    /// The picture as code shows it that computes `u = (factor y + 1) / 2` from a direction of unit length, without dividing
+    /// by its largest component: at `(a, b)` of `[-1, 1]^2` stands what should stand at `factor (a, b) / sqrt(1 + a^2 + b^2)`.
+    pub fn undivided(&self, factor: f64) -> Self {
         let place = |index: usize, count: usize| 2.0 * (index as f64 + 0.5) / count as f64 - 1.0;
         let pixels = (0..self.height).flat_map(|row| (0..self.width).map(move |column| (column, row)));
         let values = pixels.flat_map(|(column, row)| {
             let (a, b) = (place(column, self.width), place(row, self.height));
             let length = (1.0 + a * a + b * b).sqrt();
-            let texel = |coordinate: f64, count: usize| ((coordinate / length + 1.0) / 2.0 * count as f64) as f32;
+            let texel =
+                |coordinate: f64, count: usize| ((factor * coordinate / length + 1.0) / 2.0 * count as f64) as f32;
             self.interpolated(texel(a, self.width), texel(b, self.height))
         });
         Self { values: values.collect(), ..*self }

@@ -1,18 +1,20 @@
 //! The check of one map, from its pictures to the verdict.
 
-use super::arrangement::{Arrangement, Puzzle};
-use super::border::{Borders, read_borders};
-use super::convention::{self, Convention};
-use super::edge::EdgeBorders;
-use super::foreign::{self, Foreign};
-use super::handedness::mirrored_faces;
+use super::borders::border::{Borders, read_borders};
+use super::borders::edge::EdgeBorders;
+use super::borders::pair_cost::PairCosts;
 use super::notes::{self, Note};
-use super::pair_cost::PairCosts;
+use super::outlier::{self, Outlier};
 use super::seam::{self, Seam};
-use super::sky;
-use super::solve::{Question, Solution, UNRELATED, corrected};
+use super::search::arrangement::{Arrangement, Problem};
+use super::search::convention::mirrored_faces;
+use super::search::convention::{self, Convention, Hints};
+use super::sky::Sky;
+use super::solve::{Search, Solution, Unsettled, corrected};
+use super::story::Story;
+use super::thresholds::verdict::{TELLING_FACES, UNDECIDABLE_SEAMS, UNRELATED};
 use crate::envmap::source::Skybox;
-use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, SignedAxis};
+use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, Preset, SignedAxis};
 use crate::error::Result;
 use crate::parallel;
 use crate::picture::{Format, Picture};
@@ -103,7 +105,7 @@ pub struct Check {
     pub seams: Vec<Seam>,
     pub fix: Fix,
     /// Faces whose image belongs to no place in this map.
-    pub foreign: Vec<Foreign>,
+    pub outliers: Vec<Outlier>,
     /// The faces that the given lookup shows mirrored in a right-handed world.
     pub mirrored: Vec<Face>,
     pub notes: Vec<Note>,
@@ -115,7 +117,10 @@ pub struct Fix {
     pub faces: [FaceFix; 6],
     /// Faces that change.
     pub changes: usize,
-    pub convention: Option<Convention>,
+    /// What happened to the files.
+    pub story: Story,
+    /// Other stories that are as short and close the seams as well.
+    pub also: Vec<Story>,
     /// The standard errors by which the next essentially different orientation is worse; 0 if none is.
     pub margin: f64,
     pub seams_after: Vec<Seam>,
@@ -142,7 +147,27 @@ impl FaceFix {
     }
 }
 
+impl Check {
+    /// What no change repairs: faces that do not belong or have the wrong size.
+    pub fn unrepaired(&self) -> Vec<&Note> {
+        let unrepaired =
+            |note: &&Note| matches!(note, Note::Outlier { .. } | Note::NotSquare { .. } | Note::Sizes { .. });
+        self.notes.iter().filter(unrepaired).collect()
+    }
+
+    /// True if all six images are square and of one size: no graphics library takes others as a cube map.
+    pub fn has_equal_squares(&self) -> bool {
+        let size = self.images[0].width;
+        self.images.iter().all(|image| (image.width, image.height) == (size, size))
+    }
+}
+
 impl Fix {
+    /// The known order that these files follow, if the story names one.
+    pub fn convention(&self) -> Option<Convention> {
+        self.story.order
+    }
+
     /// The corrected lookup.
     pub fn lookup(&self, given: &Lookup) -> Lookup {
         corrected(given, &self.arrangement())
@@ -169,30 +194,45 @@ pub fn load(skybox: &Skybox, lookup: Lookup) -> Result<CubeMap> {
 pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> Result<Check> {
     let lookup = *map.lookup();
     let borders = read_borders(map)?;
-    let puzzle = Puzzle { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
-    let quake_names = convention::has_quake_names(images.iter().map(|image| image.file.as_str()));
-    let sky = if options.world_up.is_some() { sky::hint(map, &borders, &puzzle)? } else { None };
-    let question = Question { map, images: &borders, puzzle: &puzzle, lookup: &lookup, options, quake_names, sky };
-    let (solution, turn) = question.solve_and_turn()?;
+    let problem = Problem { borders: EdgeBorders::new(&lookup), costs: PairCosts::new(&borders) };
+    let names = options.names;
+    let world_up = options.world_up.unwrap_or_else(|| Preset::usual_up_of(&options.lookup_name));
+    let hints = Hints::of_files(images.iter().map(|image| image.file.as_str()), names == Names::AnyOrder);
+    let orders = convention::orders(&lookup, world_up, hints);
+    let sky = Sky::of(map, &borders)?;
+    let (images_of, problem_of) = (&borders, &problem);
+    let search = Search {
+        map,
+        images: images_of,
+        problem: problem_of,
+        lookup: &lookup,
+        names,
+        world_up,
+        orders: &orders,
+        sky: &sky,
+    };
+    let solution = search.solve()?;
 
     let given = Arrangement::given(Face::ALL.map(|face| lookup.row(face).image));
     let found = solution.arrangement;
-    let foreign: Vec<Foreign> = solution.foreign.into_iter().collect();
-    let strangers: Vec<Face> = foreign.iter().map(|foreign| foreign.face).collect();
-    let seams = |arrangement: &Arrangement| seam::seams(&puzzle, &borders, arrangement, &found, &strangers);
+    let outliers: Vec<Outlier> = solution.outlier.into_iter().collect();
+    let outlying: Vec<Face> = outliers.iter().map(|outlier| outlier.face).collect();
+    let seams = |arrangement: &Arrangement| seam::seams(&problem, &borders, arrangement, &found, &outlying);
     let fix = fix_of(&solution, &given, seams(&found));
     let mut check = Check {
         images,
         lookup,
         lookup_name: options.lookup_name.clone(),
-        verdict: verdict(&puzzle, &borders, &solution, &given),
+        verdict: Verdict::Undecidable,
         seams: seams(&given),
         fix,
-        foreign,
+        outliers,
         mirrored: mirrored_faces(&lookup),
         notes: Vec::new(),
     };
-    check.notes = notes::collect(&check, &borders, options, sky.map(|[sky, _]| (sky, turn)));
+    check.verdict = verdict(&problem, &borders, &solution, &check, &given);
+    let sky = sky.image(&check.fix.lookup(&lookup));
+    check.notes = notes::collect(&check, &borders, options, sky);
     Ok(check)
 }
 
@@ -211,22 +251,29 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
     Fix {
         faces,
         changes: Face::ALL.iter().filter(|face| changed(face)).count(),
-        convention: solution.convention,
+        story: solution.story.clone(),
+        also: solution.also.clone(),
         margin: solution.margin,
         seams_after,
         equivalents: solution.equivalents,
     }
 }
 
-/// Broken if the fix changes anything or a face does not belong; else the map fits if the pixels of at least half of
-/// the faces tell most orientations from the one found, what is found looks like a map at all, and no face gapes.
-fn verdict(puzzle: &Puzzle, borders: &Borders, solution: &Solution, given: &Arrangement) -> Verdict {
+/// Broken if the fix changes anything, a face does not belong, seams gape or no graphics library takes these sizes; else
+/// the map fits if the pixels of at least half of the faces tell most orientations from the one found, what is found looks
+/// like a map at all, and no face gapes.
+fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Check, given: &Arrangement) -> Verdict {
     let found = &solution.arrangement;
-    if found != given || solution.foreign.is_some() {
+    let torn = solution.unsettled == Some(Unsettled::Torn);
+    if found != given || solution.outlier.is_some() || torn || !check.has_equal_squares() {
         return Verdict::Broken;
     }
-    let related = puzzle.mean_fit(found) < UNRELATED;
-    let gapes = |&face: &Face| foreign::gapes(puzzle, borders, found, face);
-    let tells = related && solution.telling_faces() >= 3 && !Face::ALL.iter().any(gapes);
-    if tells && !solution.unsettled { Verdict::Fits } else { Verdict::Undecidable }
+    let related = problem.mean_fit(found) < UNRELATED;
+    let gapes = |&face: &Face| outlier::gapes(problem, borders, found, face);
+    let undecidable = check.seams.iter().filter(|seam| seam.verdict == Verdict::Undecidable).count();
+    let tells = related
+        && solution.telling_faces() >= TELLING_FACES
+        && undecidable < UNDECIDABLE_SEAMS
+        && !Face::ALL.iter().any(gapes);
+    if tells && solution.unsettled.is_none() { Verdict::Fits } else { Verdict::Undecidable }
 }

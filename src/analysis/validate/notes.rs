@@ -3,18 +3,19 @@
 use std::fmt;
 
 use super::Verdict;
-use super::border::Borders;
+use super::borders::border::Borders;
+use super::borders::edge::{Border, Edge, Side};
 use super::check::{Check, CheckOptions};
-use super::convention::Convention;
-use super::edge::{Border, Edge, Side};
-use super::foreign::Reason;
-use super::handedness::mirrored_faces;
-use crate::envmap::{Face, SignedAxis};
+use super::outlier::Reason;
+use super::seam::Seam;
+use super::search::convention::mirrored_faces;
+use super::thresholds::seam::{EXPOSED, ROUGH};
+use crate::envmap::{Face, Preset, SignedAxis};
 
-/// A remark in the report. None of them makes a map broken, except [`Note::Foreign`], which says why it is.
+/// A remark in the report. [`Note::Outlier`], [`Note::NotSquare`] and [`Note::Sizes`] say why a map is broken.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
-    Foreign {
+    Outlier {
         face: Face,
         file: String,
         reason: Reason,
@@ -29,7 +30,7 @@ pub enum Note {
         largest: usize,
     },
     NotSquare {
-        image: Face,
+        images: Vec<Face>,
     },
     Alpha {
         images: Vec<Face>,
@@ -55,34 +56,43 @@ pub enum Note {
         step: f64,
         after_the_fix: bool,
     },
+    /// Seams of a broken map that no certain change closes.
+    Open {
+        seams: usize,
+        step: f64,
+        after_the_fix: bool,
+    },
+    /// The names do not say which face an image is.
+    Unnamed {
+        numbered: bool,
+    },
     Mirrored {
         faces: Vec<Face>,
         after: Vec<Face>,
         changes: bool,
+    },
+    /// The axis that the fix puts above was taken from the lookup.
+    AssumedUp {
+        up: SignedAxis,
+        lookup: String,
     },
     Sky {
         sky: Face,
         up: SignedAxis,
         there: bool,
         after_the_fix: bool,
-        /// What would turn a map that fits so that its sky lies there.
-        turn: Option<Convention>,
     },
 }
 
 /// All remarks in the order of the report.
-pub fn collect(
-    check: &Check,
-    borders: &Borders,
-    options: &CheckOptions,
-    sky: Option<(Face, Option<Convention>)>,
-) -> Vec<Note> {
+pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Option<Face>) -> Vec<Note> {
     let mut notes = Vec::new();
-    for foreign in &check.foreign {
-        let image = check.fix.faces[foreign.face.index()].image;
+    for outlier in &check.outliers {
+        let image = check.fix.faces[outlier.face.index()].image;
         let file = check.images[image.index()].file.clone();
-        notes.push(Note::Foreign { face: foreign.face, file, reason: foreign.reason });
+        notes.push(Note::Outlier { face: outlier.face, file, reason: outlier.reason });
     }
+    sizes(check, &mut notes);
     pictures(check, borders, &mut notes);
     notes.extend(exposures(check, borders));
     let undecided: Vec<Face> = check.fix.faces.iter().filter(|fix| !fix.decided).map(|fix| fix.face).collect();
@@ -94,10 +104,14 @@ pub fn collect(
     if !check.mirrored.is_empty() || !after.is_empty() {
         notes.push(Note::Mirrored { faces: check.mirrored.clone(), after, changes: check.fix.changes > 0 });
     }
-    if let (Some(up), Some((sky, turn))) = (options.world_up, sky) {
+    if options.world_up.is_none() && check.fix.changes > 0 {
+        let lookup = options.lookup_name.clone();
+        notes.push(Note::AssumedUp { up: Preset::usual_up_of(&lookup), lookup });
+    }
+    if let (Some(up), Some(sky)) = (options.world_up, sky) {
         let top = Face::on_axis(usize::from(up.axis), !up.negative);
         let there = check.fix.faces[top.index()].image == sky;
-        notes.push(Note::Sky { sky, up, there, after_the_fix: check.fix.changes > 0, turn });
+        notes.push(Note::Sky { sky, up, there, after_the_fix: check.fix.changes > 0 });
     }
     notes
 }
@@ -110,7 +124,7 @@ fn exposures(check: &Check, borders: &Borders) -> Vec<Note> {
     };
     let lookup = check.fix.lookup(&check.lookup);
     let mut notes = Vec::new();
-    for face in Face::ALL.into_iter().filter(|&face| check.foreign.iter().all(|foreign| foreign.face != face)) {
+    for face in Face::ALL.into_iter().filter(|&face| check.outliers.iter().all(|outlier| outlier.face != face)) {
         let offset = |edge: &Edge| {
             let other = if edge.first == face { edge.second } else { edge.first };
             let side = |of: Face, towards: Face| Border::of_face(lookup.row(of), of, towards).side;
@@ -119,32 +133,39 @@ fn exposures(check: &Check, borders: &Borders) -> Vec<Note> {
         let offsets: Vec<f64> = Edge::ALL.iter().filter(|edge| edge.touches(face)).map(offset).collect();
         let least = offsets.iter().fold(f64::INFINITY, |least, offset| least.min(offset.abs()));
         let alike = offsets.iter().all(|&offset| offset > 0.0) || offsets.iter().all(|&offset| offset < 0.0);
-        if alike && least > 2.0 {
+        if alike && least > EXPOSED {
             notes.push(Note::Exposure { image: lookup.row(face).image, codes: offsets.iter().sum::<f64>() / 4.0 });
         }
     }
     notes
 }
 
-fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
-    notes.extend(
-        Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
-    );
-    for facts in check.images.iter().filter(|facts| facts.width != facts.height) {
-        notes.push(Note::NotSquare { image: facts.face });
+/// Sizes that no cube map may have.
+fn sizes(check: &Check, notes: &mut Vec<Note>) {
+    let unsquare: Vec<Face> =
+        check.images.iter().filter(|facts| facts.width != facts.height).map(|facts| facts.face).collect();
+    if !unsquare.is_empty() {
+        notes.push(Note::NotSquare { images: unsquare });
+        return;
     }
-    let sizes = borders.iter().map(|image| image.texels);
+    let sizes = check.images.iter().map(|facts| facts.width);
     let (smallest, largest) = (sizes.clone().min().unwrap_or(0), sizes.max().unwrap_or(0));
     if smallest != largest {
         notes.push(Note::Sizes { smallest, largest });
     }
+}
+
+fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
+    notes.extend(
+        Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
+    );
     for (one, other) in (0..6).flat_map(|one| (one + 1..6).map(move |other| (one, other))) {
         if borders[one].holds_the_same(&borders[other]) {
             notes.push(Note::Identical { images: [Face::ALL[one], Face::ALL[other]] });
         }
     }
-    let stranger = |image: Face| check.foreign.iter().any(|one| check.fix.faces[one.face.index()].image == image);
-    let flat = Face::ALL.into_iter().filter(|&image| borders[image.index()].is_flat() && !stranger(image));
+    let outlier = |image: Face| check.outliers.iter().any(|one| check.fix.faces[one.face.index()].image == image);
+    let flat = Face::ALL.into_iter().filter(|&image| borders[image.index()].is_flat() && !outlier(image));
     notes.extend(flat.map(|image| Note::Flat { image }));
     let alpha: Vec<Face> = check.images.iter().filter(|facts| facts.alpha).map(|facts| facts.face).collect();
     if !alpha.is_empty() {
@@ -152,18 +173,25 @@ fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
     }
 }
 
-/// Seams that are rough although the map fits, or would once it is fixed.
+/// Seams that are rough although the map fits, or would once it is fixed; and those that a fix leaves open.
 fn rough(check: &Check, notes: &mut Vec<Note>) {
-    const ROUGH: f64 = 3.0;
-    if !check.foreign.is_empty() || check.verdict == Verdict::Undecidable {
+    if !check.outliers.is_empty() || check.verdict == Verdict::Undecidable {
         return;
     }
-    let rough: Vec<f64> =
-        check.fix.seams_after.iter().filter(|seam| seam.score > ROUGH).map(|seam| seam.step).collect();
-    if !rough.is_empty() {
-        let step = rough.iter().sum::<f64>() / rough.len() as f64;
-        notes.push(Note::Rough { seams: rough.len(), step, after_the_fix: check.fix.changes > 0 });
+    let after_the_fix = check.fix.changes > 0;
+    let rough = || check.fix.seams_after.iter().filter(|seam| seam.score > ROUGH);
+    let open = |seam: &&Seam| seam.verdict == Verdict::Undecidable;
+    let partly = check.verdict == Verdict::Broken && rough().any(|seam| open(&seam));
+    let steps: Vec<f64> = rough().filter(|seam| !partly || open(seam)).map(|seam| seam.step).collect();
+    if steps.is_empty() {
+        return;
     }
+    let (seams, step) = (steps.len(), steps.iter().sum::<f64>() / steps.len() as f64);
+    notes.push(if partly {
+        Note::Open { seams, step, after_the_fix }
+    } else {
+        Note::Rough { seams, step, after_the_fix }
+    });
 }
 
 fn names(faces: &[Face]) -> String {
@@ -177,17 +205,20 @@ fn names(faces: &[Face]) -> String {
 impl fmt::Display for Note {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Foreign { face, file, reason } => {
-                write!(formatter, "{} ({file}) does not belong here: {}", face.name(), why_foreign(*reason))
+            Self::Outlier { face, file, reason } => {
+                write!(formatter, "{} ({file}) does not belong here: {}", face.name(), why_outlier(*reason))
             }
             Self::Framed { image } => {
                 write!(formatter, "{} has a frame one texel wide; the texels inside it were compared", image.name())
             }
             Self::Sizes { smallest, largest } => write!(
                 formatter,
-                "the images differ in size, from {smallest} to {largest} texels: borders were resampled"
+                "the images differ in size, from {smallest} to {largest} texels: no graphics library takes this as a cube map"
             ),
-            Self::NotSquare { image } => write!(formatter, "{} is not square", image.name()),
+            Self::NotSquare { images } => {
+                let are = if images.len() == 1 { "is" } else { "are" };
+                write!(formatter, "{} {are} not square: no graphics library takes this as a cube map", names(images))
+            }
             Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
             Self::Exposure { image, codes } => formatter.write_str(&exposed(*image, *codes)),
             Self::Identical { images: [one, other] } => {
@@ -198,17 +229,35 @@ impl fmt::Display for Note {
                 write!(formatter, "{name} is one flat colour along its borders: it looks the same in any orientation")
             }
             Self::Undecided { faces } => {
-                write!(formatter, "undecided: the pixels do not tell how {} must be laid", names(faces))
+                write!(formatter, "undecided: the pixels do not tell how {} must be placed", names(faces))
             }
             Self::Rough { seams, step, after_the_fix } => {
                 formatter.write_str(&rough_seams(*seams, *step, *after_the_fix))
             }
+            Self::Open { seams, step, after_the_fix } => {
+                let when = if *after_the_fix { " after the fix too" } else { "" };
+                let stay = if *seams == 1 { "stays" } else { "stay" };
+                write!(
+                    formatter,
+                    "{seams} of 12 seams {stay} open{when} (mean step {step:.1} of 255): the pixels do not tell how to close them"
+                )
+            }
+            Self::Unnamed { numbered } => {
+                let names = if *numbered { "numbers" } else { "names" };
+                write!(
+                    formatter,
+                    "the {names} of the files do not tell the faces: taken as +X -X +Y -Y +Z -Z in this order, and put in order \
+                     by their pixels"
+                )
+            }
             Self::Mirrored { faces, after, changes } => {
                 formatter.write_str(&mirrored(faces, after, *changes && faces != after))
             }
-            Self::Sky { sky, up, there, after_the_fix, turn } => {
-                formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))?;
-                turn.map_or(Ok(()), |turn| write!(formatter, "; there it would be with {turn}"))
+            Self::AssumedUp { up, lookup } => {
+                write!(formatter, "assumed a world with {up} up, for the lookup {lookup}: --world-up says otherwise")
+            }
+            Self::Sky { sky, up, there, after_the_fix } => {
+                formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))
             }
         }
     }
@@ -232,7 +281,7 @@ fn rough_seams(seams: usize, step: f64, after_the_fix: bool) -> String {
 const ROUGH_REASONS: &str = "faces were exposed, framed or compressed one by one, the ground is coarse, or an edge of \
                              the scene lies along the seam";
 
-fn why_foreign(reason: Reason) -> String {
+fn why_outlier(reason: Reason) -> String {
     match reason {
         Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
         Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),

@@ -1,9 +1,10 @@
 //! The seams as the report shows them: step, detail, score and verdict of the twelve edges.
 
 use super::Verdict;
-use super::arrangement::{Arrangement, Puzzle};
-use super::border::{ImageBorders, Row, mean_step};
-use super::edge::{Border, Edge};
+use super::borders::border::{ImageBorders, Row, mean_step};
+use super::borders::edge::{Border, Edge};
+use super::search::arrangement::{Arrangement, Problem};
+use super::thresholds::seam::{BROKEN_COST, BROKEN_FACTOR, LEAST_DETAIL, UNDECIDED};
 
 /// One edge under one lookup.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,15 +20,9 @@ pub struct Seam {
     pub verdict: Verdict,
 }
 
-/// The fit of a seam from which on its borders go as well with most others.
-pub const UNDECIDED_SEAM: f64 = 0.85;
-
-/// Detail below half a code is that of rounding.
-const LEAST_DETAIL: f64 = 0.5;
-
 /// Step and detail of an edge; the verdict is still to be found.
-pub fn measure(puzzle: &Puzzle, images: &[ImageBorders; 6], arrangement: &Arrangement, edge: usize) -> Seam {
-    let (names, borders) = puzzle.ends(arrangement, edge);
+pub fn measure(problem: &Problem, images: &[ImageBorders; 6], arrangement: &Arrangement, edge: usize) -> Seam {
+    let (names, borders) = problem.ends(arrangement, edge);
     let [one, other] = [0, 1].map(|end| &images[names[end].index()]);
     let texels = one.texels.max(other.texels);
     let row = |image: &ImageBorders, border: Border, depth: usize| -> Row {
@@ -52,23 +47,23 @@ pub fn measure(puzzle: &Puzzle, images: &[ImageBorders; 6], arrangement: &Arrang
 /// Twelve seams with their verdicts. A seam is broken if `found` pairs its borders otherwise and cheaper, or a face
 /// at it does not belong; undecidable if its borders go as well with most others.
 pub fn seams(
-    puzzle: &Puzzle,
+    problem: &Problem,
     images: &[ImageBorders; 6],
     arrangement: &Arrangement,
     found: &Arrangement,
-    foreign: &[crate::envmap::Face],
+    outlier: &[crate::envmap::Face],
 ) -> Vec<Seam> {
     let judged = |edge: usize| {
-        let mut seam = measure(puzzle, images, arrangement, edge);
-        let cost = puzzle.edge_cost(arrangement, edge);
-        let mended = puzzle.cost_of_sides(found, puzzle.ends(arrangement, edge));
-        let at_foreign = foreign.iter().any(|&face| {
-            let (names, _) = puzzle.ends(arrangement, edge);
+        let mut seam = measure(problem, images, arrangement, edge);
+        let cost = problem.edge_cost(arrangement, edge);
+        let repaired = problem.cost_of_sides(found, problem.ends(arrangement, edge));
+        let at_outlier = outlier.iter().any(|&face| {
+            let (names, _) = problem.ends(arrangement, edge);
             names.contains(&found.images[face.index()])
         });
-        seam.verdict = if at_foreign || cost > 1.3 * mended + 4.0 {
+        seam.verdict = if at_outlier || cost > BROKEN_FACTOR * repaired + BROKEN_COST {
             Verdict::Broken
-        } else if puzzle.fit(arrangement, edge) > UNDECIDED_SEAM {
+        } else if problem.fit(arrangement, edge) > UNDECIDED {
             Verdict::Undecidable
         } else {
             Verdict::Fits
@@ -78,7 +73,7 @@ pub fn seams(
     (0..12).map(judged).collect()
 }
 
-impl Puzzle {
+impl Problem {
     /// The mean cost that the two sides have in another arrangement.
     fn cost_of_sides(&self, arrangement: &Arrangement, ends: ([crate::envmap::Face; 2], [Border; 2])) -> f64 {
         let side = |end: usize| (ends.0[end], ends.1[end].side);
@@ -94,19 +89,18 @@ impl Puzzle {
         sum / 2.0
     }
 
-    /// The mean of [`Puzzle::fit`] over all edges.
+    /// The mean of [`Problem::fit`] over all edges.
     pub fn mean_fit(&self, arrangement: &Arrangement) -> f64 {
         (0..12).map(|edge| self.fit(arrangement, edge)).sum::<f64>() / 12.0
     }
 
     /// The cost of an edge as a part of what its two borders cost with the borders of all other images on average: near 0
-    /// where they continue each other, near 1 where they are as good as strangers, and 1 where nothing costs anything.
+    /// where they continue each other, near 1 where they are as good as outliers, and 1 where nothing costs anything.
     pub fn fit(&self, arrangement: &Arrangement, edge: usize) -> f64 {
         let (images, borders) = self.ends(arrangement, edge);
-        let strangers =
-            (0..2).map(|end| self.costs.mean_with_others(images[end], borders[end].side)).sum::<f64>() / 2.0;
+        let outliers = (0..2).map(|end| self.costs.mean_with_others(images[end], borders[end].side)).sum::<f64>() / 2.0;
         // The cost of rounding errors alone.
         const NOTHING: f64 = 2.0;
-        (self.edge_cost(arrangement, edge) + NOTHING) / (strangers + NOTHING)
+        (self.edge_cost(arrangement, edge) + NOTHING) / (outliers + NOTHING)
     }
 }

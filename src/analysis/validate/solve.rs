@@ -1,23 +1,30 @@
-//! From the cheapest arrangement to the fix: of all that are equally good the one with the fewest and simplest changes.
+//! From the cheapest arrangement to the fix: of all stories that the pixels do not contradict the shortest.
 
-use super::arrangement::{Arrangement, Puzzle};
-use super::border::Borders;
-use super::convention::{self, Convention};
-use super::edge::EdgeBorders;
-use super::foreign::{self, Foreign, Reason};
-use super::handedness::mirrored_faces;
-use super::pair_cost::PairCosts;
-use super::search::{Freedom, cheapest};
-use super::symmetry::Symmetry;
-use super::{CheckOptions, Names};
-use crate::envmap::{CubeMap, Face, FaceLookup, Lookup, SignedAxis};
+use super::Names;
+use super::borders::border::Borders;
+use super::borders::edge::{Edge, EdgeBorders};
+use super::borders::pair_cost::PairCosts;
+use super::outlier::{self, Outlier, Reason};
+use super::seam::measure;
+use super::search::arrangement::{Arrangement, Problem};
+use super::search::branch_and_bound::{Freedom, cheapest};
+use super::search::convention::mirrored_faces;
+use super::search::symmetry::Symmetry;
+use super::sky::Sky;
+use super::story::{Order, Story, with_faults};
+use super::thresholds::verdict::{
+    EDITED_ORIENTATIONS, REPAIRED, TELLING_FACES, TELLING_ORIENTATIONS, TORN_STEP, UNRELATED,
+};
+use crate::envmap::{CubeMap, Face, FaceLookup, Lookup, Orientation, SignedAxis};
 use crate::error::Result;
 
 /// The answer of the search.
 #[derive(Debug, Clone)]
 pub struct Solution {
     pub arrangement: Arrangement,
-    pub convention: Option<Convention>,
+    pub story: Story,
+    /// Other stories that are as short and close the seams as well.
+    pub also: Vec<Story>,
     /// By face how many of the seven other orientations are decisively worse, whatever the other faces then do, or show the
     /// same picture.
     pub excluded: [usize; 6],
@@ -26,253 +33,245 @@ pub struct Solution {
     /// Arrangements that are equally good, this one among them.
     pub equivalents: usize,
     /// The face whose image does not belong.
-    pub foreign: Option<Foreign>,
-    /// True if something is wrong that the pixels show but cannot mend: nothing that would change is decided.
-    pub unsettled: bool,
+    pub outlier: Option<Outlier>,
+    /// What is wrong if the pixels show that something is but not how to repair it.
+    pub unsettled: Option<Unsettled>,
 }
 
-/// The mean fit of seams from which on the six pictures have nothing to do with each other.
-pub const UNRELATED: f64 = 0.85;
-
-impl Solution {
-    /// Faces of which at least four other orientations are decisively worse.
-    pub fn telling_faces(&self) -> usize {
-        self.excluded.iter().filter(|&&excluded| excluded >= 4).count()
-    }
-
-    /// True if at least half of the faces tell how they lie, and so do those that change.
-    fn tells(&self, given: &Arrangement) -> bool {
-        let relaid = |&face: &usize| {
-            self.arrangement.images[face] == given.images[face] && self.arrangement.orientations[face] != 0
-        };
-        self.telling_faces() >= 3 && (0..6).filter(relaid).all(|face| self.excluded[face] >= 3)
-    }
+/// Something is wrong, and no change is certain.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Unsettled {
+    /// The seams gape as nobody would overlook.
+    Torn,
+    /// A viewer may see nothing.
+    Faint,
 }
+
+/// Stories told beside the one that is taken.
+const MOST_TOLD: usize = 3;
 
 /// What the search is about.
-pub struct Question<'a> {
+pub struct Search<'a> {
     pub map: &'a CubeMap,
     pub images: &'a Borders,
-    pub puzzle: &'a Puzzle,
+    pub problem: &'a Problem,
     pub lookup: &'a Lookup,
-    pub options: &'a CheckOptions,
-    pub quake_names: bool,
-    /// The image that shows the sky and the one that shows the ground, if the pictures tell.
-    pub sky: Option<[Face; 2]>,
+    pub names: Names,
+    /// The axis that points up in the world.
+    pub world_up: SignedAxis,
+    /// The orders that the files may follow.
+    pub orders: &'a [Order],
+    pub sky: &'a Sky,
 }
 
-impl Question<'_> {
+impl Search<'_> {
     pub fn given(&self) -> Arrangement {
         Arrangement::given(Face::ALL.map(|face| self.lookup.row(face).image))
     }
 
-    /// Finds the fix. What the pixels do not tell for at least half of the faces is no ground to change anything.
+    /// Finds the fix. What the pixels do not tell for at least half of the faces is no ground to change anything, unless
+    /// the seams gape.
     pub fn solve(&self) -> Result<Solution> {
-        let (best, any_order) = self.best();
-        for arrangement in [self.given(), best] {
-            if let Some((foreign, arrangement)) = self.foreign(&arrangement)? {
-                let image = arrangement.images[foreign.face.index()];
-                // Were the others wrong too, the face would be one of several that changed places.
-                if self.puzzle.compare_without(&best, &arrangement, &[image]).is_decisive() {
-                    continue;
-                }
-                let solution = self.around(foreign, &arrangement)?;
-                // Equal texels are no matter of chance, whatever the other faces tell.
-                if matches!(foreign.reason, Reason::CopyOf(_)) || solution.tells(&self.given()) {
-                    return Ok(solution);
-                }
+        let (best, any_order) = self.best(None);
+        for reference in self.references(&best) {
+            if let Some(solution) = self.around_outlier(&reference, &best)? {
+                return Ok(solution);
             }
         }
-        let ties = self.ties(&best);
-        let (arrangement, convention) = self.simplest(&best, &ties, any_order);
+        let ties = self.ties(&best, &[]);
         let alike: usize = ties.iter().map(Vec::len).product();
-        let solution = self.solution(arrangement, convention, &[], if any_order { 48 * alike } else { alike })?;
-        let related = self.puzzle.mean_fit(&arrangement) < UNRELATED;
-        if arrangement == self.given() || (related && solution.tells(&self.given())) {
-            return Ok(self.keeping_undecided(solution));
+        let equivalents = if any_order { 48 * alike } else { alike };
+        let told = self.shortest(&best, &ties, &[]);
+        let solution = self.solution(told, &[], equivalents)?;
+        let (given, found) = (self.given(), solution.arrangement);
+        let related = self.problem.mean_fit(&found) < UNRELATED;
+        if found == given || (related && (self.tells(&solution) || self.is_torn(&given, &found))) {
+            return Ok(solution);
         }
-        let solution = self.solution(self.given(), None, &[], solution.equivalents)?;
-        Ok(Solution { unsettled: !self.puzzle.ties(&best, &self.given()), ..solution })
+        let solution = self.solution((given, self.story(&given), Vec::new()), &[], equivalents)?;
+        let worse = !self.problem.ties(&best, &given);
+        let unsettled = if self.is_torn(&given, &best) { Unsettled::Torn } else { Unsettled::Faint };
+        Ok(Solution { unsettled: worse.then_some(unsettled), ..solution })
     }
 
-    /// The solution around a face that does not belong. What only the seams of strangers would gain is no ground to change
-    /// anything: the given orientation stands where the others do not decide.
-    fn around(&self, foreign: Foreign, arrangement: &Arrangement) -> Result<Solution> {
-        let (map, puzzle) = (self.map, self.puzzle);
-        let strangers = foreign::strangers(map, puzzle, self.images, arrangement, foreign.face)?;
+    /// The arrangements among which five faces may fit and one not: as given, the best one, and, where one face of the
+    /// best gapes, the best of the five others.
+    fn references(&self, best: &Arrangement) -> Vec<Arrangement> {
+        let mut references = vec![self.given(), *best];
+        if Face::ALL.iter().any(|&face| outlier::gapes(self.problem, self.images, best, face)) {
+            references.extend(Face::ALL.map(|image| self.best(Some(image)).0));
+        }
+        references
+    }
+
+    /// The solution if five faces fit as the reference has them, and one fits nowhere.
+    fn around_outlier(&self, reference: &Arrangement, best: &Arrangement) -> Result<Option<Solution>> {
+        let Some((outlier, reference)) = self.outlier(reference)? else { return Ok(None) };
+        let image = reference.images[outlier.face.index()];
+        // Were the others wrong too, the face would be one of several that changed places; so it is if it fits elsewhere.
+        if self.problem.compare_without(best, &reference, &[image]).is_decisive()
+            || outlier::fits_elsewhere(self.problem, self.images, &reference, best, outlier.face)
+        {
+            return Ok(None);
+        }
+        let outliers = outlier::outliers(self.map, self.problem, self.images, &reference, outlier.face)?;
+        let ties = self.ties(&reference, &outliers);
+        let told = self.shortest(&reference, &ties, &outliers);
+        let face = told.0.face_of(image).unwrap_or(outlier.face);
+        let outlier = Outlier { face, ..outlier };
+        let solution = Solution { outlier: Some(outlier), ..self.solution(told, &outliers, 1)? };
+        // Equal texels are no matter of chance, whatever the other faces tell.
+        let certain = matches!(outlier.reason, Reason::CopyOf(_)) || self.tells(&solution);
+        Ok(certain.then_some(solution))
+    }
+
+    /// True if at least half of the faces tell how they lie, and so do those whose files were edited.
+    fn tells(&self, solution: &Solution) -> bool {
         let given = self.given();
-        let needed = puzzle.compare_without(arrangement, &given, &strangers).is_decisive();
-        let found = if needed { *arrangement } else { given };
-        let image = arrangement.images[foreign.face.index()];
-        let face = found.face_of(image).unwrap_or(foreign.face);
-        let solution = self.solution(found, None, &strangers, 1)?;
-        Ok(self.keeping_undecided(Solution { foreign: Some(Foreign { face, ..foreign }), ..solution }))
+        let edited = solution.story.edited.iter().map(|face| face.index());
+        let relaid = edited.filter(|&face| solution.arrangement.images[face] == given.images[face]);
+        solution.telling_faces() >= TELLING_FACES
+            && relaid.into_iter().all(|face| solution.excluded[face] >= EDITED_ORIENTATIONS)
     }
 
-    fn foreign(&self, arrangement: &Arrangement) -> Result<Option<(Foreign, Arrangement)>> {
-        let found = foreign::find(self.map, self.puzzle, self.images, arrangement)?;
-        let Some((stranger, _)) = &found else { return Ok(None) };
-        if stranger.reason != Reason::AnotherScene {
+    /// True if the seams that differ gape in one arrangement and hardly in the other.
+    fn is_torn(&self, given: &Arrangement, found: &Arrangement) -> bool {
+        let differs = |&edge: &usize| self.problem.ends(given, edge) != self.problem.ends(found, edge);
+        let edges: Vec<usize> = (0..Edge::ALL.len()).filter(differs).collect();
+        let step = |arrangement: &Arrangement| {
+            let steps = edges.iter().map(|&edge| measure(self.problem, self.images, arrangement, edge).step);
+            steps.sum::<f64>() / edges.len().max(1) as f64
+        };
+        let (now, then) = (step(given), step(found));
+        now >= TORN_STEP && then <= REPAIRED * now
+    }
+
+    fn outlier(&self, arrangement: &Arrangement) -> Result<Option<(Outlier, Arrangement)>> {
+        let found = outlier::find(self.map, self.problem, self.images, arrangement)?;
+        let Some((outlier, _)) = &found else { return Ok(None) };
+        if outlier.reason != Reason::AnotherScene {
             return Ok(found);
         }
-        // A frame that was seen around some of the images only would make them strangers to the others: the finding
-        // must hold one row further inside all six, and inside the stranger alone.
-        let image = arrangement.images[stranger.face.index()];
+        // A frame that was seen around some of the images only would make them outliers to the others: the finding
+        // must hold one row further inside all six, and inside the outlier alone.
+        let image = arrangement.images[outlier.face.index()];
         for only in [None, Some(image)] {
             let mut within = self.images.clone();
             for inner in Face::ALL.into_iter().filter(|&face| only.is_none_or(|only| only == face)) {
                 within[inner.index()].framed = true;
             }
-            let puzzle = Puzzle { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
-            let again = foreign::find(self.map, &puzzle, &within, arrangement)?;
-            if again.is_none_or(|(other, _)| other.face != stranger.face) {
+            let problem = Problem { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
+            let again = outlier::find(self.map, &problem, &within, arrangement)?;
+            if again.is_none_or(|(other, _)| other.face != outlier.face) {
                 return Ok(None);
             }
         }
         Ok(found)
     }
 
-    /// The cheapest arrangement, and whether images changed places for it.
-    fn best(&self) -> (Arrangement, bool) {
-        let trusted = cheapest(self.puzzle, &self.given(), Freedom::TRUSTED);
-        let free = || cheapest(self.puzzle, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
-        match self.options.names {
+    /// The cheapest arrangement, without the seams of an image if one is given, and whether images changed places for it.
+    fn best(&self, without: Option<Face>) -> (Arrangement, bool) {
+        let silenced = without.map(|image| self.problem.without(image));
+        let problem = silenced.as_ref().unwrap_or(self.problem);
+        let trusted = cheapest(problem, &self.given(), Freedom::TRUSTED);
+        let free = || cheapest(problem, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
+        match self.names {
             Names::Trusted => (trusted, false),
             Names::AnyOrder => (free(), true),
             Names::Auto => {
                 let free = free();
-                let renames = !self.puzzle.ties(&free, &trusted) || self.sky_is_elsewhere(&trusted);
-                if renames { (free, true) } else { (trusted, false) }
+                if self.is_as_good(&free, &trusted, without.as_slice()) { (trusted, false) } else { (free, true) }
             }
         }
     }
 
     fn solution(
         &self,
-        arrangement: Arrangement,
-        convention: Option<Convention>,
-        strangers: &[Face],
+        (arrangement, story, also): (Arrangement, Story, Vec<Story>),
+        outliers: &[Face],
         equivalents: usize,
     ) -> Result<Solution> {
-        let (excluded, margin) = self.alternatives(&arrangement, strangers)?;
-        Ok(Solution { arrangement, convention, excluded, margin, equivalents, foreign: None, unsettled: false })
+        let (excluded, margin) = self.alternatives(&arrangement, outliers)?;
+        Ok(Solution { arrangement, story, also, excluded, margin, equivalents, outlier: None, unsettled: None })
     }
 
     /// By face the orientations that are as good as the best one's, itself first.
-    fn ties(&self, best: &Arrangement) -> [Vec<usize>; 6] {
+    fn ties(&self, best: &Arrangement, outliers: &[Face]) -> [Vec<usize>; 6] {
         Face::ALL.map(|face| {
             let own = best.orientations[face.index()];
             let others = (0..8).filter(|&orientation| orientation != own);
-            let tied = others.filter(|&orientation| self.puzzle.ties(best, &best.with_orientation(face, orientation)));
+            let tied = others
+                .filter(|&orientation| self.is_as_good(best, &best.with_orientation(face, orientation), outliers));
             std::iter::once(own).chain(tied).collect()
         })
     }
 
-    /// The simplest arrangement among those as good as the best, and the convention that it is.
-    fn simplest(
+    fn is_as_good(&self, best: &Arrangement, other: &Arrangement, outliers: &[Face]) -> bool {
+        !self.problem.compare_without(best, other, outliers).is_decisive()
+    }
+
+    fn story(&self, arrangement: &Arrangement) -> Story {
+        Story::of(arrangement, self.orders, self.has_free_names())
+    }
+
+    /// The arrangement with the shortest story among those as good as the best, and other stories that are as short.
+    fn shortest(
         &self,
         best: &Arrangement,
         ties: &[Vec<usize>; 6],
-        any_order: bool,
-    ) -> (Arrangement, Option<Convention>) {
+        outliers: &[Face],
+    ) -> (Arrangement, Story, Vec<Story>) {
         let given = self.given();
-        let named = convention::candidates(self.lookup, self.quake_names);
-        let variants = variants(best, ties);
-        let turned = || {
-            variants.iter().flat_map(|variant| Symmetry::all().into_iter().map(|turn| turn.of(variant, self.lookup)))
-        };
-        let mut candidates = vec![given];
-        candidates
-            .extend(named.iter().map(|(_, known)| *known).filter(|known| any_order || known.images == given.images));
-        if any_order {
-            candidates.extend(turned());
-        } else {
-            candidates.extend(&variants);
+        if self.is_as_good(best, &given, outliers) {
+            return (given, self.story(&given), Vec::new());
         }
-        let simplest = self.first_that_ties(best, candidates, &named).unwrap_or(*best);
-        let name = |arrangement: &Arrangement| name(&named, arrangement);
-        if self.options.names != Names::Auto || any_order || name(&simplest).is_some() || self.changes(&simplest) < 4 {
-            return (simplest, name(&simplest));
+        let may_rename = self.names != Names::Trusted;
+        let mut candidates: Vec<Arrangement> = variants(best, ties);
+        if may_rename {
+            let turns = Symmetry::all();
+            let turned = |variant: Arrangement| turns.iter().map(move |turn| turn.of(&variant, self.lookup));
+            candidates = candidates.into_iter().flat_map(turned).collect();
         }
-        // Names are trusted, but turning most faces is a poor explanation where a convention, or files that changed
-        // places and are otherwise as they were, explain the same cube.
-        let laid = self.changes(&simplest);
-        let simpler = |arrangement: &Arrangement| match name(arrangement) {
-            Some(_) => self.changes(arrangement) < laid,
-            None => self.changes(arrangement) <= laid / 2 && self.mostly_renames(arrangement),
-        };
-        let renamed = named.iter().map(|(_, known)| *known).chain(turned()).filter(simpler).collect();
-        let simplest = self.first_that_ties(best, renamed, &named).unwrap_or(simplest);
-        (simplest, name(&simplest))
+        candidates.extend(self.orders.iter().flat_map(|order| with_faults(&order.arrangement, may_rename)));
+        candidates.retain(|candidate| may_rename || candidate.images == given.images);
+        let cost = |candidate| (Story::cost_of(&candidate, self.orders, self.has_free_names()), candidate);
+        let mut told: Vec<(u32, Arrangement)> = candidates.into_iter().map(cost).collect();
+        told.sort_unstable();
+        told.dedup();
+        let good = |(_, candidate): &&(u32, Arrangement)| self.is_as_good(best, candidate, outliers);
+        let least = told.iter().find(good).map_or(u32::MAX, |&(cost, _)| cost);
+        let equal = told.iter().filter(|(cost, _)| *cost == least).filter(good);
+        let mut equal: Vec<&Arrangement> = equal.map(|(_, candidate)| candidate).collect();
+        equal.sort_by_cached_key(|candidate| self.preference(candidate));
+        let taken = equal.first().copied().unwrap_or(best);
+        let story = self.story(taken);
+        let mut others: Vec<Story> = equal.iter().map(|other| self.story(other)).collect();
+        others.retain(|other| *other != story);
+        others.dedup();
+        others.truncate(MOST_TOLD);
+        (*taken, story, others)
     }
 
-    /// The simplest of the candidates that is as good as the best.
-    fn first_that_ties(
-        &self,
-        best: &Arrangement,
-        mut candidates: Vec<Arrangement>,
-        named: &[(Convention, Arrangement)],
-    ) -> Option<Arrangement> {
-        candidates.sort_by_cached_key(|arrangement| self.complexity(arrangement, name(named, arrangement)));
-        candidates.dedup();
-        candidates.into_iter().find(|candidate| self.puzzle.ties(best, candidate))
+    fn has_free_names(&self) -> bool {
+        self.names == Names::AnyOrder
     }
 
-    /// Faces that an arrangement changes.
-    fn changes(&self, arrangement: &Arrangement) -> usize {
+    /// What comes first among equally short stories: sky above; the fewest faces changed; unmirrored before mirrored.
+    fn preference(&self, arrangement: &Arrangement) -> impl Ord + use<> {
         let given = self.given();
         let changed = |&face: &usize| {
             arrangement.images[face] != given.images[face] || arrangement.orientations[face] != given.orientations[face]
         };
-        (0..6).filter(changed).count()
-    }
-
-    /// True if no image is renamed and laid anew, and at most one is laid anew at all.
-    fn mostly_renames(&self, arrangement: &Arrangement) -> bool {
-        let given = self.given();
-        let laid = |&face: &usize| arrangement.orientations[face] != given.orientations[face];
-        let renamed = |face: usize| arrangement.images[face] != given.images[face];
-        (0..6).filter(laid).count() <= 1 && !(0..6).filter(laid).any(renamed)
-    }
-
-    /// The order of preference: the up axis that the user named; nothing changed; a convention as a whole; the
-    /// fewest faces; the simplest changes; unmirrored before mirrored.
-    fn complexity(&self, arrangement: &Arrangement, convention: Option<Convention>) -> impl Ord + use<> {
-        let given = self.given();
-        let changes = self.changes(arrangement);
-        let mut weight = 0;
-        for face in Face::ALL {
-            let renamed = arrangement.images[face.index()] != given.images[face.index()];
-            let laid = match arrangement.orientations[face.index()] {
-                0 => 0,
-                1 | 2 => 1,
-                3 => 2,
-                _ => 3,
-            };
-            weight += laid + 10 * usize::from(renamed);
-        }
-        let unnamed = changes > 0 && convention.is_none();
-        let mirrored = mirrored_faces(&corrected(self.lookup, arrangement)).len();
-        (self.sky_is_elsewhere(arrangement), unnamed, changes, weight, mirrored, *arrangement)
-    }
-
-    /// True if the user named an up axis, the pictures show sky and ground, and the sky lies elsewhere.
-    fn sky_is_elsewhere(&self, arrangement: &Arrangement) -> bool {
-        let (Some(up), Some([sky, ground])) = (self.options.world_up, self.sky) else { return false };
-        let image =
-            |axis: SignedAxis| arrangement.images[Face::on_axis(usize::from(axis.axis), !axis.negative).index()];
-        (image(up), image(-up)) != (sky, ground)
+        let lookup = corrected(self.lookup, arrangement);
+        let sky_below = -self.sky.above(&lookup, self.world_up);
+        let changes = (0..6).filter(changed).count();
+        (sky_below, changes, mirrored_faces(&lookup).len(), *arrangement)
     }
 }
 
-/// The convention that an arrangement is.
-fn name(named: &[(Convention, Arrangement)], arrangement: &Arrangement) -> Option<Convention> {
-    named.iter().find(|(_, known)| known == arrangement).map(|&(convention, _)| convention)
-}
-
-/// The combinations of equally good orientations, at most a few thousand of them.
+/// The combinations of equally good orientations, at most a few hundred of them.
 fn variants(best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<Arrangement> {
-    const MOST: usize = 4096;
+    const MOST: usize = 512;
     let mut variants = vec![*best];
     for face in Face::ALL {
         if variants.len() * ties[face.index()].len() > MOST {
@@ -296,4 +295,77 @@ pub fn corrected(lookup: &Lookup, arrangement: &Arrangement) -> Lookup {
         ..arrangement.orientation(face).of_row(lookup.row(face))
     });
     Lookup::new(rows, lookup.v_origin()).expect("a laid row spans its face")
+}
+
+impl Search<'_> {
+    /// By face the number of other orientations that are decisively worse or show the same picture, and the standard errors by which the best of
+    /// all those is worse. The seams of images that do not belong tell nothing, in whatever orientation.
+    pub fn alternatives(&self, found: &Arrangement, outliers: &[Face]) -> Result<([usize; 6], f64)> {
+        let mut excluded = [0; 6];
+        let mut margin = f64::INFINITY;
+        for face in Face::ALL.into_iter().filter(|face| !outliers.contains(&found.images[face.index()])) {
+            let others = if outliers.is_empty() { self.others(found, face) } else { relaid(found, face) };
+            for other in others {
+                let comparison = self.problem.compare_without(found, &other, outliers);
+                if comparison.is_decisive() {
+                    excluded[face.index()] += 1;
+                    margin = margin.min(comparison.standard_errors());
+                } else if outliers.is_empty() && self.shows_the_same(found, &other, face)? {
+                    excluded[face.index()] += 1;
+                }
+            }
+        }
+        Ok((excluded, if margin.is_finite() { margin } else { 0.0 }))
+    }
+
+    /// The cheapest arrangements of the same images with another orientation of the face.
+    fn others(&self, found: &Arrangement, face: Face) -> Vec<Arrangement> {
+        let own = found.orientations[face.index()];
+        let base = Arrangement::given(found.images);
+        let fixed = |orientation| Freedom { fixed: Some((face, orientation)), ..Freedom::TRUSTED };
+        (0..8)
+            .filter(|&orientation| orientation != own)
+            .map(|orientation| cheapest(self.problem, &base, fixed(orientation)))
+            .collect()
+    }
+
+    /// True if the picture of a face looks the same in both, because it is symmetric. One flat colour does
+    /// not count: nobody can say how it lies.
+    fn shows_the_same(&self, one: &Arrangement, other: &Arrangement, face: Face) -> Result<bool> {
+        let image = one.images[face.index()];
+        if image != other.images[face.index()] || self.images[image.index()].is_flat() {
+            return Ok(false);
+        }
+        let picture = self.map.picture(image)?;
+        if picture.width() != picture.height() {
+            return Ok(false);
+        }
+        let size = picture.width();
+        let place = |orientation: Orientation, x: usize, y: usize| {
+            orientation.image_operation(self.lookup.v_origin()).source(x, y, size)
+        };
+        let same = |(x, y): (usize, usize)| {
+            let [one, other] = [one, other].map(|arrangement| place(arrangement.orientation(face), x, y));
+            picture.texel(one.0, one.1) == picture.texel(other.0, other.1)
+        };
+        Ok((0..size).flat_map(|y| (0..size).map(move |x| (x, y))).all(same))
+    }
+}
+
+impl Solution {
+    /// Faces of which at least four other orientations are decisively worse.
+    pub fn telling_faces(&self) -> usize {
+        self.excluded.iter().filter(|&&excluded| excluded >= TELLING_ORIENTATIONS).count()
+    }
+
+    /// True if the pixels tell this orientation of a face from all others that look different.
+    pub fn is_decided(&self, face: Face) -> bool {
+        self.excluded[face.index()] == 7
+    }
+}
+
+/// The seven arrangements that lay one face otherwise and leave the others as they are.
+fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
+    let others = (0..8).filter(|&orientation| orientation != found.orientations[face.index()]);
+    others.map(|orientation| found.with_orientation(face, orientation)).collect()
 }

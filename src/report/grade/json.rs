@@ -19,6 +19,8 @@ pub(super) struct Json<'a> {
     faces: [JsonFace; 6],
     /// What the code contains, if that is another preset.
     preset: Option<JsonPreset>,
+    /// The slips that explain the shots, the likeliest first.
+    causes: &'a [String],
     notes: &'a [String],
 }
 
@@ -70,7 +72,12 @@ struct JsonRepair {
 }
 
 impl<'a> Json<'a> {
-    pub fn new(grade: &Grade, [map, lookup]: [&'a str; 2], world_up: String, notes: &'a [String]) -> Self {
+    pub fn new(
+        grade: &Grade,
+        [map, lookup]: [&'a str; 2],
+        world_up: String,
+        [causes, notes]: [&'a [String]; 2],
+    ) -> Self {
         Self {
             verdict: grade.verdict(),
             map,
@@ -90,6 +97,7 @@ impl<'a> Json<'a> {
                 names: reading.presets.iter().map(|preset| preset.name()).collect(),
                 camera: fault_name(reading.camera),
             }),
+            causes,
             notes,
         }
     }

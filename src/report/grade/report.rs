@@ -4,9 +4,12 @@
 use std::fmt;
 
 use super::json::Json;
-use super::sentences::{DIVISION, describe, faces, other_explanation, out_of_range, preset, repair, undecided};
-use crate::envmap::{SignedAxis, VOrigin};
-use crate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit};
+use super::sentences::{
+    DIVISION, cause, describe, faces, other_explanation, other_up, out_of_range, preset, repair, undecided,
+};
+use crate::envmap::{Lookup, SignedAxis, VOrigin};
+use crate::grade::{CameraFault, Cause, FaceGrade, Grade, GradeVerdict, Misfit, ShotFrame, other_ups};
+use crate::render::AxisShot;
 
 /// A grade and the names of what was graded.
 #[derive(Debug, Clone)]
@@ -16,15 +19,25 @@ pub struct GradeReport<'a> {
     pub lookup: &'a str,
     /// False if the lookup was not named by the user.
     pub lookup_given: bool,
-    pub v_origin: VOrigin,
+    /// The table of that lookup.
+    pub table: Lookup,
     pub world_up: SignedAxis,
 }
 
 impl GradeReport<'_> {
+    fn v_origin(&self) -> VOrigin {
+        self.table.v_origin()
+    }
+
+    fn causes(&self) -> Vec<Cause> {
+        self.grade.causes(&self.table, self.world_up)
+    }
+
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        let notes = self.notes();
-        let json = Json::new(self.grade, [self.map, self.lookup], self.world_up.to_string(), &notes);
+        let causes: Vec<String> = self.causes().into_iter().map(|one| cause(one, self.v_origin())).collect();
+        let (world_up, notes) = (self.world_up.to_string(), self.notes());
+        let json = Json::new(self.grade, [self.map, self.lookup], world_up, [&causes, &notes]);
         serde_json::to_string_pretty(&json).expect("a report is plain data")
     }
 
@@ -47,6 +60,9 @@ impl GradeReport<'_> {
             }
             GradeVerdict::Camera if self.contains_preset() => {
                 "the camera is wrong and the lookup right, or the camera right and the lookup another preset".to_owned()
+            }
+            GradeVerdict::Camera if !self.causes().is_empty() => {
+                "the lookup is wrong, or the camera is: both explain these shots".to_owned()
             }
             GradeVerdict::Camera => "the camera is wrong, the lookup is right".to_owned(),
             GradeVerdict::CameraAndLookup => format!("the camera is wrong, and {cases} to be repaired in the lookup"),
@@ -84,9 +100,23 @@ impl GradeReport<'_> {
         sentences
     }
 
+    /// The up vectors that were assumed where none is plain, and what would be wrong with others.
+    fn ups(&self) -> Vec<String> {
+        let shots = AxisShot::all(self.world_up).into_iter().filter(|shot| shot.up.axis != self.world_up.axis);
+        let sentence = |AxisShot { direction, up }| {
+            let frame = ShotFrame { face: direction, right: AxisShot { direction, up }.right(), up };
+            other_up(direction, up, &other_ups(&self.table, frame))
+        };
+        shots.map(sentence).collect()
+    }
+
     /// What else the same pictures may come from, and what is left open.
     fn notes(&self) -> Vec<String> {
         let mut notes = Vec::new();
+        let vertical = |face: &FaceGrade| face.shot.axis() == usize::from(self.world_up.axis);
+        if self.grade.faces.iter().all(|face| vertical(face) || !face.is_wrong()) {
+            notes.extend(self.ups());
+        }
         if self.grade.undivided {
             notes.push(
                 "each picture shows only the middle of its image, enlarged, as code does that takes the components of a unit \
@@ -124,7 +154,7 @@ impl GradeReport<'_> {
         let wrong = match (face.is_wrong(), placement.image == face.expected) {
             (true, true) => {
                 // What their orientation did to the image as it should be seen.
-                let operation = placement.orientation.image_operation(self.v_origin).name();
+                let operation = placement.orientation.image_operation(self.v_origin()).name();
                 format!("wrong: {operation}{}", if face.is_decided() { "" } else { " (or another of its ties)" })
             }
             _ => mark,
@@ -142,6 +172,9 @@ impl fmt::Display for GradeReport<'_> {
             "shots of {} by your code, which should have the lookup {} (world up {}){because}",
             self.map, self.lookup, self.world_up
         )?;
+        let camera = |shot: AxisShot| format!("{} up {}", shot.direction.name(), shot.up);
+        let cameras = AxisShot::all(self.world_up).map(camera).join(", ");
+        writeln!(formatter, "cameras: at the origin, 90° wide and high: {cameras}; right = forward x up")?;
         writeln!(formatter, "\nshot   sees     image    reads")?;
         let mut faces: Vec<&FaceGrade> = self.grade.faces.iter().collect();
         faces.sort_by_key(|face| face.shot);
@@ -149,8 +182,13 @@ impl fmt::Display for GradeReport<'_> {
             writeln!(formatter, "{}", self.shot_line(face))?;
         }
         writeln!(formatter, "\n{}", self.verdict())?;
+        let causes = self.causes();
+        for one in &causes {
+            writeln!(formatter, "  likely cause: {}", cause(*one, self.v_origin()))?;
+        }
+        let or = if causes.is_empty() { "" } else { "or else: " };
         for sentence in self.camera() {
-            writeln!(formatter, "  {sentence}")?;
+            writeln!(formatter, "  {or}{sentence}")?;
         }
         if let Some(reading) = &self.grade.preset {
             writeln!(formatter, "  {}", preset(reading, self.grade.camera, self.world_up))?;

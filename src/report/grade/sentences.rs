@@ -1,8 +1,48 @@
 //! The faults of cameras and lookups in plain sentences, for the report of `skycube grade`.
 
 use super::json::screen_operation;
-use crate::envmap::{Face, ImageOperation, Orientation, Preset, SignedAxis};
-use crate::grade::{Alternative, CameraFault, FaceGrade, Misfit, PresetReading};
+use crate::envmap::{Face, ImageOperation, Orientation, Preset, SignedAxis, VOrigin};
+use crate::grade::{Alternative, CameraFault, Cause, FaceGrade, Misfit, PresetReading};
+
+/// A slip in the code, and how to repair it.
+pub(super) fn cause(cause: Cause, v_origin: VOrigin) -> String {
+    match cause {
+        Cause::VFromTheOtherEnd => {
+            let (yours, right) = if v_origin == VOrigin::Bottom { ("top", "bottom") } else { ("bottom", "top") };
+            format!(
+                "v = 0 is the {yours} row in your get_texel and should be the {right} row: use 1 - v where you compute the row"
+            )
+        }
+        Cause::UFromTheOtherEnd => {
+            "u = 0 is the right column in your get_texel and should be the left one: use u where you use 1 - u"
+                .to_owned()
+        }
+        Cause::AbsForgotten => {
+            "abs() is forgotten: you divide by the component itself, which is negative on negx, negy and \
+                                negz, and so both coordinates change their signs there"
+                .to_owned()
+        }
+        Cause::NotHalved => "the coordinates are not halved: 0.5 + x / m in place of 0.5 + 0.5 * x / m".to_owned(),
+        Cause::CasesExchanged([one, other]) => {
+            format!("the cases {} and {} of the switch are exchanged", one.constant_name(), other.constant_name())
+        }
+        Cause::OneCoordinateTwice(face) => {
+            format!(
+                "case {}: u is used for v, or v for u: nothing changes along the rows or the columns of the shot",
+                face.constant_name()
+            )
+        }
+        Cause::UpAlongTheView => "the shots along the vertical axis are black: up is parallel to the view there, so \
+                                  right = forward x up is zero; take the up vectors listed above"
+            .to_owned(),
+    }
+}
+
+/// What would be wrong had the camera of a shot another up vector.
+pub(super) fn other_up(face: Face, taken: SignedAxis, ups: &[(SignedAxis, Orientation)]) -> String {
+    let ups: Vec<String> = ups.iter().map(|&(up, orientation)| format!("{up}: {}", coordinates(orientation))).collect();
+    format!("{} was judged with up = {taken}; if yours is another, its case needs: {}", face.name(), ups.join("; "))
+}
 
 /// The repair of code that does not divide.
 pub(super) const DIVISION: &str =
@@ -201,6 +241,9 @@ pub(super) fn out_of_range(misfit: Misfit) -> &'static str {
         Misfit::Smeared => {
             "it is smeared into streaks: u or v leave the range from 0 to 1 and are clamped (is the division by the \
              largest component, or the step from -1..1 to 0..1, missing?)"
+        }
+        Misfit::OneCoordinate => {
+            "nothing changes along its rows, or along its columns: u is used for v, or v for u, or one of the two is constant"
         }
         Misfit::Repeated => {
             "it repeats itself: u or v run from -1 to 1 and are wrapped (is the step from -1..1 to 0..1 missing?)"

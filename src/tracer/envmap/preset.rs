@@ -46,6 +46,11 @@ impl Preset {
         }
     }
 
+    /// The same for the name of a lookup; +z, as in the course, for a table of the user's.
+    pub fn usual_up_of(lookup: &str) -> SignedAxis {
+        Self::named(lookup).map_or(SignedAxis::POS_Z, Self::usual_up)
+    }
+
     /// The table.
     pub fn lookup(self) -> Lookup {
         use Face::{NegX, NegY, NegZ, PosX, PosY, PosZ};

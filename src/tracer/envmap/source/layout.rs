@@ -1,5 +1,6 @@
 //! Six faces in one picture: crosses, strips, and the cube of OpenEXR.
 
+use super::super::orientation::ImageOperation;
 use crate::envmap::Face;
 use crate::error::{Error, Result};
 use crate::picture::EnvironmentLayout;
@@ -9,7 +10,7 @@ use crate::picture::EnvironmentLayout;
 pub enum Layout {
     /// One file for each face.
     SixFiles,
-    /// Four cells across and three down:
+    /// Four cells across and three down; the caps may stand over any of the four columns, the sides then begin there:
     ///
     /// ```text
     ///      +Y
@@ -17,7 +18,7 @@ pub enum Layout {
     ///      -Y
     /// ```
     HorizontalCross,
-    /// Three cells across and four down; the lowest cell is turned by 180 degrees:
+    /// Three cells across and four down; the arms may stand in any of the four rows, and -Z is turned by 180 degrees, or not:
     ///
     /// ```text
     ///      +Y
@@ -33,6 +34,10 @@ pub enum Layout {
     /// An OpenEXR file with `envmap = cube`: +X -X +Y -Y +Z -Z from top to bottom. The faces are taken by these names and
     /// as they lie; that OpenEXR orients them otherwise than OpenGL is left to the lookup.
     OpenExrCube,
+    /// Three cells across and two down, row by row +X -X +Y -Y +Z -Z.
+    WideSheet,
+    /// Two cells across and three down, row by row +X -X +Y -Y +Z -Z.
+    TallSheet,
 }
 
 /// What one picture of the surroundings is, by its shape and the attribute of an OpenEXR file.
@@ -49,16 +54,18 @@ pub enum EnvironmentPicture {
 pub(super) struct Cell {
     pub column: usize,
     pub row: usize,
-    /// True if the cell shows the face turned by 180 degrees.
-    pub upside_down: bool,
+    /// What turns the cell upright.
+    pub turn: ImageOperation,
 }
 
 /// The layouts that the shape of a picture tells, with columns and rows.
-const SHAPES: [(EnvironmentPicture, usize, usize, &str); 5] = [
+const SHAPES: [(EnvironmentPicture, usize, usize, &str); 7] = [
     (EnvironmentPicture::Cube(Layout::HorizontalCross), 4, 3, "horizontal cross 4:3"),
     (EnvironmentPicture::Cube(Layout::VerticalCross), 3, 4, "vertical cross 3:4"),
     (EnvironmentPicture::Cube(Layout::HorizontalStrip), 6, 1, "horizontal strip 6:1"),
     (EnvironmentPicture::Cube(Layout::VerticalStrip), 1, 6, "vertical strip 1:6"),
+    (EnvironmentPicture::Cube(Layout::WideSheet), 3, 2, "sheet 3:2"),
+    (EnvironmentPicture::Cube(Layout::TallSheet), 2, 3, "sheet 2:3"),
     (EnvironmentPicture::Equirectangular, 2, 1, "equirectangular 2:1"),
 ];
 
@@ -98,7 +105,7 @@ fn unknown_shape(width: usize, height: usize) -> Error {
     let nearest = SHAPES.iter().min_by(|a, b| distance(a.1, a.2).total_cmp(&distance(b.1, b.2)));
     let cubes = SHAPES.iter().filter(|(picture, ..)| matches!(picture, EnvironmentPicture::Cube(_)));
     let names = cubes.map(|(.., name)| *name).collect::<Vec<_>>().join(", ");
-    let error = error.expected(format!("a cross or strip whose cells are exactly square ({names})"));
+    let error = error.expected(format!("a cross, strip or sheet whose cells are exactly square ({names})"));
     match nearest {
         Some(&(_, columns, rows, name)) if distance(columns, rows) < 1.1 => {
             let cell = (width / columns).min(height / rows).max(1);
@@ -118,22 +125,29 @@ impl Layout {
             Self::VerticalCross => (3, 4),
             Self::HorizontalStrip => (6, 1),
             Self::VerticalStrip | Self::OpenExrCube => (1, 6),
+            Self::WideSheet => (3, 2),
+            Self::TallSheet => (2, 3),
         }
     }
 
-    /// The cell that shows a face.
-    pub(super) fn cell(self, face: Face) -> Cell {
-        // Column and row of +X -X +Y -Y +Z in both crosses; -Z closes the ring in one and hangs below in the other.
-        const CROSS: [(usize, usize); 5] = [(2, 1), (0, 1), (1, 0), (1, 2), (1, 1)];
-        let index = face.index();
-        let (column, row) = match self {
-            Self::SixFiles => (0, 0),
-            Self::HorizontalCross => CROSS.get(index).copied().unwrap_or((3, 1)),
-            Self::VerticalCross => CROSS.get(index).copied().unwrap_or((1, 3)),
-            Self::HorizontalStrip => (index, 0),
-            Self::VerticalStrip | Self::OpenExrCube => (0, index),
-        };
-        Cell { column, row, upside_down: self == Self::VerticalCross && face == Face::NegZ }
+    /// True for layouts whose cells have many orders: the place of a cell is no name.
+    pub fn has_free_order(self) -> bool {
+        matches!(self, Self::HorizontalStrip | Self::VerticalStrip | Self::WideSheet | Self::TallSheet)
+    }
+
+    /// True if the pixels must tell where the faces lie.
+    pub(super) fn is_cross(self) -> bool {
+        matches!(self, Self::HorizontalCross | Self::VerticalCross)
+    }
+
+    /// The cells of the six faces, row by row. Those of crosses are for [`super::cross`] to find.
+    pub(super) fn cells(self) -> [Cell; 6] {
+        let (columns, _) = self.grid();
+        Face::ALL.map(|face| Cell {
+            column: face.index() % columns,
+            row: face.index() / columns,
+            turn: ImageOperation::None,
+        })
     }
 }
 
@@ -151,6 +165,8 @@ mod tests {
         assert_eq!(recognised(768, 1024), EnvironmentPicture::Cube(Layout::VerticalCross));
         assert_eq!(recognised(1536, 256), EnvironmentPicture::Cube(Layout::HorizontalStrip));
         assert_eq!(recognised(256, 1536), EnvironmentPicture::Cube(Layout::VerticalStrip));
+        assert_eq!(recognised(768, 512), EnvironmentPicture::Cube(Layout::WideSheet));
+        assert_eq!(recognised(512, 768), EnvironmentPicture::Cube(Layout::TallSheet));
         assert_eq!(recognised(1024, 512), EnvironmentPicture::Equirectangular);
     }
 
@@ -166,12 +182,12 @@ mod tests {
         let error = |width, height| EnvironmentPicture::recognise(width, height, None).unwrap_err();
         insta::assert_snapshot!(error(1025, 768), @r"
         1025 x 768 pixels: the shape tells no layout of six faces
-          expected: a cross or strip whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6)
+          expected: a cross, strip or sheet whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, sheet 3:2, sheet 2:3)
           help: if this is a horizontal cross 4:3, 1024 x 768 or 1028 x 771 pixels would be right
         ");
         insta::assert_snapshot!(error(512, 512), @r"
         512 x 512 pixels: the shape tells no layout of six faces
-          expected: a cross or strip whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6)
+          expected: a cross, strip or sheet whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, sheet 3:2, sheet 2:3)
           help: six faces may also be six files in a folder or zip
         ");
         let cube = EnvironmentPicture::recognise(512, 512, Some(EnvironmentLayout::Cube)).unwrap_err();

@@ -9,7 +9,28 @@ use crate::error::Result;
 #[derive(Debug, PartialEq, Eq)]
 pub(super) struct Located {
     pub six: [usize; 6],
+    pub naming: Naming,
     pub passed_over: Vec<String>,
+}
+
+/// What the names of six images say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Naming {
+    /// Which face each image is.
+    Faces,
+    /// They number the images, in an order that is not known.
+    Numbers,
+    /// Nothing.
+    Nothing,
+    /// They are places in a strip or sheet, for which there are many orders.
+    Cells,
+}
+
+impl Naming {
+    /// True if the images may stand in any order.
+    pub fn is_free(self) -> bool {
+        self != Self::Faces
+    }
 }
 
 /// The files of one directory by their place in the whole list.
@@ -24,7 +45,9 @@ pub(super) fn find_faces(paths: &[String]) -> Result<Located> {
     let directories = directories(paths);
     let selections: Vec<Selection> =
         directories.iter().map(|directory| globally(select_in(paths, directory), directory)).collect();
-    let chosen: Vec<usize> = (0..directories.len()).filter(|&index| !is_unclear(&selections[index])).collect();
+    let named: Vec<usize> = (0..directories.len()).filter(|&index| names_faces(&selections[index])).collect();
+    let ordered = (0..directories.len()).filter(|&index| !is_unclear(&selections[index]));
+    let chosen: Vec<usize> = if named.is_empty() { ordered.collect() } else { named };
     let outermost = directories.iter().position(|directory| directory.name.is_empty());
     match (outermost, &chosen[..]) {
         (Some(outermost), _) if covers_all(&selections[outermost]) => settle(paths, &selections[outermost]),
@@ -39,6 +62,7 @@ pub(super) fn names_most_faces(names: &[String]) -> bool {
     let faces: Vec<&str> = names.iter().filter(|name| !is_passed_over(name)).map(String::as_str).collect();
     match selection::select(&faces) {
         Selection::Unclear(found) => found.iter().filter(|files| !files.is_empty()).count() > 3,
+        Selection::Unnamed(_) => false,
         _ => true,
     }
 }
@@ -67,9 +91,15 @@ fn globally(selection: Selection, directory: &Directory) -> Selection {
     let found = |found: Found| found.map(|files| files.into_iter().map(|file| directory.files[file]).collect());
     match selection {
         Selection::Six(six) => Selection::Six(six.map(|file| directory.files[file])),
+        Selection::Numbered(six) => Selection::Numbered(six.map(|file| directory.files[file])),
+        Selection::Unnamed(six) => Selection::Unnamed(six.map(|file| directory.files[file])),
         Selection::Several(sets) => Selection::Several(sets.into_iter().map(found).collect()),
         Selection::Unclear(files) => Selection::Unclear(found(files)),
     }
+}
+
+fn names_faces(selection: &Selection) -> bool {
+    matches!(selection, Selection::Six(_) | Selection::Several(_))
 }
 
 fn is_unclear(selection: &Selection) -> bool {
@@ -80,17 +110,42 @@ fn is_unclear(selection: &Selection) -> bool {
 fn covers_all(selection: &Selection) -> bool {
     match selection {
         Selection::Unclear(found) => selection::missing(found).is_empty(),
-        _ => true,
+        _ => names_faces(selection),
     }
 }
 
 /// The answer for the directory that is meant.
 fn settle(paths: &[String], selection: &Selection) -> Result<Located> {
     match selection {
-        Selection::Six(six) => Ok(Located { six: *six, passed_over: all_but(paths, six) }),
+        Selection::Six(six) => Ok(located(paths, *six, Naming::Faces)),
+        Selection::Numbered(six) => Ok(located(paths, *six, Naming::Numbers)),
+        Selection::Unnamed(six) => Ok(located(paths, *six, Naming::Nothing)),
         Selection::Several(sets) => Err(several_sets(paths, sets)),
         Selection::Unclear(found) => Err(unclear(paths, found)),
     }
+}
+
+fn located(paths: &[String], six: [usize; 6], naming: Naming) -> Located {
+    Located { six, naming, passed_over: all_but(paths, &six) }
+}
+
+/// The sets of six faces in the outermost directory, each with what its names begin with; none unless there are several and
+/// their beginnings tell them apart.
+pub(super) fn sets(paths: &[String]) -> Vec<(String, Located)> {
+    let directories = directories(paths);
+    let Some(outermost) = directories.iter().find(|directory| directory.name.is_empty()) else { return Vec::new() };
+    let Selection::Several(sets) = globally(select_in(paths, outermost), outermost) else { return Vec::new() };
+    let named = |found: Found| {
+        let six = selection::single_files(&found)?;
+        let names = six.map(|file| paths[file].as_str());
+        Some((selection::common_prefix(&names).to_owned(), located(paths, six, Naming::Faces)))
+    };
+    let sets: Vec<(String, Located)> = sets.into_iter().filter_map(named).collect();
+    let distinct = sets
+        .iter()
+        .enumerate()
+        .all(|(index, (prefix, _))| !prefix.is_empty() && sets[..index].iter().all(|(other, _)| other != prefix));
+    if distinct { sets } else { Vec::new() }
 }
 
 /// The paths that are not among the given ones, sorted.
@@ -179,7 +234,7 @@ mod tests {
           posx.png, negx.png, posy.png, negy.png, posz.png, negz.png
           right.png, left.png, top.png, bottom.png, front.png, back.png
           expected: one set
-          help: move all sets but one into folders of their own; a scene may also name the six files itself
+          help: name the one that is meant by what its files begin with, as in FOLDER/day_; or move the others elsewhere; a scene may also name the six files itself
         ");
     }
 
@@ -189,12 +244,12 @@ mod tests {
         insta::assert_snapshot!(find_faces(&paths).unwrap_err(), @r"
         no file in it is named like a face of a cube
           passed over: readme.txt, storm.jpg
-          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, with any prefix, case and extension
+          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and extension
           help: if storm.jpg holds all six faces as a cross or strip, give that file itself
         ");
         insta::assert_snapshot!(find_faces(&[]).unwrap_err(), @r"
         no files in it
-          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, with any prefix, case and extension
+          expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and extension
         ");
     }
 }

@@ -25,7 +25,7 @@ pub(super) fn no_complete_set(paths: &[String], selections: &[Selection]) -> Err
 }
 
 /// Nothing is named like a face.
-fn no_faces(paths: &[String]) -> Error {
+pub(super) fn no_faces(paths: &[String]) -> Error {
     let pictures: Vec<&String> =
         paths.iter().filter(|path| !is_passed_over(path) && is_readable_format(path)).collect();
     let problem = if paths.is_empty() { "no files in it" } else { "no file in it is named like a face of a cube" };
@@ -39,7 +39,7 @@ fn no_faces(paths: &[String]) -> Error {
 
 /// The names that a user may give the files.
 const NAMES: &str = "six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom \
-                     front back, or rt lf up dn ft bk, with any prefix, case and extension";
+                     front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and extension";
 
 /// Faces are missing or have several files.
 pub(super) fn unclear(paths: &[String], found: &Found) -> Error {
@@ -95,7 +95,10 @@ pub(super) fn several_sets(paths: &[String], sets: &[Found]) -> Error {
     let lists: String = sets.iter().map(list).collect();
     Error::new(format!("{} complete sets of six faces{lists}", sets.len()))
         .expected("one set")
-        .help("move all sets but one into folders of their own; a scene may also name the six files itself")
+        .help(
+            "name the one that is meant by what its files begin with, as in FOLDER/day_; or move the others elsewhere; a scene \
+             may also name the six files itself",
+        )
 }
 
 /// Several subfolders hold complete sets.

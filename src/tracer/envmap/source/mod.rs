@@ -2,6 +2,7 @@
 //!
 //! Opening reads names and headers. Pixels are decoded face by face, when asked for.
 
+mod cross;
 mod face_image;
 mod folder;
 mod layout;
@@ -22,9 +23,12 @@ use std::sync::Arc;
 
 pub use face_image::FaceImage;
 pub use layout::{EnvironmentPicture, Layout};
+pub use listing::Naming;
+pub use passing_over::is_passed_over;
 pub use sizes::{SizeFault, SizeFaultKind};
 use skycube_files::archive::Archive;
 
+use self::listing::Located;
 use self::sheet::Sheet;
 use crate::envmap::Face;
 use crate::error::{Error, Result};
@@ -36,6 +40,8 @@ pub struct Skybox {
     pub images: [FaceImage; 6],
     /// How the images are stored.
     pub layout: Layout,
+    /// What the names of the images say.
+    pub naming: Naming,
     /// The files beside the faces that were not used, sorted.
     pub passed_over: Vec<String>,
 }
@@ -44,13 +50,17 @@ impl Skybox {
     /// Opens a folder, a zip (or a folder in it: `sky.zip/night`), a cross or strip, or an OpenEXR file with
     /// `envmap = cube`. The faces are square and alike in size; an error names those that are not.
     pub fn open(path: &Path) -> Result<Self> {
-        Self::open_lenient(path)?.of_one_size().map_err(|error| error.in_file(path))
+        Self::open_lenient(path)?.in_order().and_then(Self::of_one_size).map_err(|error| error.in_file(path))
     }
 
-    /// As [`Skybox::open`], but faces of any size are taken: [`Skybox::size_faults`] names them.
+    /// As [`Skybox::open`], but faces of any size are taken, [`Skybox::size_faults`] names them; and so are six pictures whose
+    /// names do not say which face they are.
     pub fn open_lenient(path: &Path) -> Result<Self> {
         if path.is_dir() {
             return open_folder(path);
+        }
+        if let Some(set) = open_set(path)? {
+            return Ok(set);
         }
         if path.is_file() {
             return if is_zip(path)? { open_archive(path, None) } else { open_picture(path) };
@@ -81,7 +91,16 @@ impl Skybox {
             let path = &paths[index];
             FaceImage::from_file(path.clone(), path.display().to_string())
         })?;
-        Ok(Self { images, layout: Layout::SixFiles, passed_over: Vec::new() })
+        Ok(Self { images, layout: Layout::SixFiles, naming: Naming::Faces, passed_over: Vec::new() })
+    }
+
+    /// Six pictures in the order of [`Face::ALL`]; `None` if one is no square picture.
+    pub fn of_six_squares(paths: &[PathBuf]) -> Option<Self> {
+        let files: Vec<(Face, PathBuf)> = Face::ALL.into_iter().zip(paths.iter().cloned()).collect();
+        let all_files = paths.len() == 6 && paths.iter().all(|path| path.is_file());
+        let skybox = if all_files { Self::from_files_lenient(&files).ok()? } else { return None };
+        let square = |image: &FaceImage| image.header().width == image.header().height;
+        skybox.images.iter().all(square).then_some(skybox)
     }
 
     /// The image named after a face.
@@ -104,6 +123,18 @@ impl Skybox {
         }))
     }
 
+    /// An error if the names do not say which face each image is; cells of a strip or sheet have a usual order.
+    fn in_order(self) -> Result<Self> {
+        match self.naming {
+            Naming::Faces | Naming::Cells => Ok(self),
+            Naming::Numbers | Naming::Nothing => {
+                Err(Error::new("the names of these six pictures do not tell the faces")
+                    .expected("names such as posx negx posy negy posz negz")
+                    .help("`skycube fix` finds the order from the pixels and writes six files with such names"))
+            }
+        }
+    }
+
     fn of_one_size(self) -> Result<Self> {
         let name = |face: Face| self.image(face).name().to_owned();
         sizes::size_error(&self.size_faults(), name).map_or(Ok(self), Err)
@@ -115,12 +146,42 @@ const ONE_EACH: &str = "one file for each of posx, negx, posy, negy, posz, negz"
 fn open_folder(path: &Path) -> Result<Skybox> {
     let paths = folder::list(path)?;
     let located = listing::find_faces(&paths).map_err(|error| error.in_file(path))?;
+    let skybox = open_files(path, &paths, located)?;
+    // Six pictures of any kind are no map because nothing else lies beside them.
+    if skybox.naming == Naming::Nothing && !skybox.size_faults().is_empty() {
+        return Err(listing_errors::no_faces(&paths).in_file(path));
+    }
+    Ok(skybox)
+}
+
+fn open_files(folder: &Path, paths: &[String], located: Located) -> Result<Skybox> {
     let images = images(|index| {
         let name = &paths[located.six[index]];
-        FaceImage::from_file(path.join(name), name.clone())
+        FaceImage::from_file(folder.join(name), name.clone())
     });
-    let images = images.map_err(|error| error.in_file(path))?;
-    Ok(Skybox { images, layout: Layout::SixFiles, passed_over: located.passed_over })
+    let images = images.map_err(|error| error.in_file(folder))?;
+    let Located { naming, passed_over, .. } = located;
+    Ok(Skybox { images, layout: Layout::SixFiles, naming, passed_over })
+}
+
+/// One of several sets in a folder, by what its files begin with; `None` if the path does not mean one.
+fn open_set(path: &Path) -> Result<Option<Skybox>> {
+    let (Some(folder), Some(name)) = (path.parent(), path.file_name()) else { return Ok(None) };
+    let folder = if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
+    if path.exists() || !folder.is_dir() {
+        return Ok(None);
+    }
+    let paths = folder::list(folder)?;
+    let name = name.to_string_lossy();
+    let mut sets = listing::sets(&paths).into_iter();
+    let meant = sets.find(|(prefix, _)| prefix == selection::without_separators(&name));
+    meant.map(|(_, located)| open_files(folder, &paths, located)).transpose()
+}
+
+/// The sets of six faces in a folder that holds several, as paths that [`Skybox::open`] takes.
+pub fn sets_in(folder: &Path) -> Vec<PathBuf> {
+    let sets = listing::sets(&folder::list(folder).unwrap_or_default());
+    sets.into_iter().map(|(prefix, _)| folder.join(prefix)).collect()
 }
 
 fn open_archive(path: &Path, subfolder: Option<&str>) -> Result<Skybox> {
@@ -136,13 +197,15 @@ fn open_archive(path: &Path, subfolder: Option<&str>) -> Result<Skybox> {
         FaceImage::from_entry(entry, name)
     });
     let images = images.map_err(|error| error.in_file(path))?;
-    Ok(Skybox { images, layout: Layout::SixFiles, passed_over: located.passed_over })
+    let Located { naming, passed_over, .. } = located;
+    Ok(Skybox { images, layout: Layout::SixFiles, naming, passed_over })
 }
 
 fn open_picture(path: &Path) -> Result<Skybox> {
     let sheet = Arc::new(Sheet::open(path)?);
     let images = Face::ALL.map(|face| FaceImage::from_cell(&sheet, face));
-    Ok(Skybox { images, layout: sheet.layout(), passed_over: Vec::new() })
+    let naming = if sheet.layout().has_free_order() { Naming::Cells } else { Naming::Faces };
+    Ok(Skybox { images, layout: sheet.layout(), naming, passed_over: Vec::new() })
 }
 
 /// True if a folder is meant as a map, readable or not: most of the faces have a file of their name in it, its

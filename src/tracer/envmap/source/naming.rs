@@ -5,9 +5,9 @@ use crate::envmap::Face;
 /// A way of naming faces. A download keeps to one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Family {
-    /// `posx`, `neg_y`, `positive-z`, `xpos`
+    /// `posx`, `neg_y`, `positive-z`, `xpos`, `x_plus`
     PositiveNegative,
-    /// `px`, `ny`
+    /// `px`, `ny`, `mx`, `xp`
     Letters,
     /// `+x`, `y-`
     Signs,
@@ -15,14 +15,23 @@ pub enum Family {
     Words,
     /// `rt`, `up`, `ft`
     Quake,
+    /// `r`, `u`, `f`
+    Initials,
+    /// `east`, `up`, `north`
+    Compass,
+    German,
+    Czech,
+    French,
+    Spanish,
+    Italian,
 }
 
 /// Every spelling of the six faces, in the order +X -X +Y -Y +Z -Z.
 ///
-/// This is the naming only. Words are laid on axes as OpenGL tools do it, and Quake's names after them (rt = +X,
-/// ft = +Z); whether the pictures fit so is for the lookup and the validator to say.
+/// This is the naming only. Words are put on axes as OpenGL tools do it: right is +X, front is +Z; Quake's names after
+/// them, and a compass whose north is the front. Whether the pictures fit so is for the lookup and the validator to say.
 #[rustfmt::skip]
-const SPELLINGS: [(Family, [&str; 6]); 14] = [
+const SPELLINGS: &[(Family, [&str; 6])] = &[
     (Family::PositiveNegative, ["posx", "negx", "posy", "negy", "posz", "negz"]),
     (Family::PositiveNegative, ["pos_x", "neg_x", "pos_y", "neg_y", "pos_z", "neg_z"]),
     (Family::PositiveNegative, ["pos-x", "neg-x", "pos-y", "neg-y", "pos-z", "neg-z"]),
@@ -31,12 +40,48 @@ const SPELLINGS: [(Family, [&str; 6]); 14] = [
     (Family::PositiveNegative, ["positive-x", "negative-x", "positive-y", "negative-y", "positive-z", "negative-z"]),
     (Family::PositiveNegative, ["xpos", "xneg", "ypos", "yneg", "zpos", "zneg"]),
     (Family::PositiveNegative, ["x_pos", "x_neg", "y_pos", "y_neg", "z_pos", "z_neg"]),
+    (Family::PositiveNegative, ["x-pos", "x-neg", "y-pos", "y-neg", "z-pos", "z-neg"]),
+    (Family::PositiveNegative, ["xplus", "xminus", "yplus", "yminus", "zplus", "zminus"]),
+    (Family::PositiveNegative, ["x_plus", "x_minus", "y_plus", "y_minus", "z_plus", "z_minus"]),
+    (Family::PositiveNegative, ["x-plus", "x-minus", "y-plus", "y-minus", "z-plus", "z-minus"]),
+    (Family::PositiveNegative, ["plusx", "minusx", "plusy", "minusy", "plusz", "minusz"]),
+    (Family::PositiveNegative, ["plus_x", "minus_x", "plus_y", "minus_y", "plus_z", "minus_z"]),
+    (Family::PositiveNegative, ["plus-x", "minus-x", "plus-y", "minus-y", "plus-z", "minus-z"]),
     (Family::Letters, ["px", "nx", "py", "ny", "pz", "nz"]),
+    (Family::Letters, ["px", "mx", "py", "my", "pz", "mz"]),
+    (Family::Letters, ["xp", "xn", "yp", "yn", "zp", "zn"]),
+    (Family::Letters, ["xp", "xm", "yp", "ym", "zp", "zm"]),
     (Family::Signs, ["+x", "-x", "+y", "-y", "+z", "-z"]),
     (Family::Signs, ["x+", "x-", "y+", "y-", "z+", "z-"]),
     (Family::Words, ["right", "left", "top", "bottom", "front", "back"]),
-    (Family::Words, ["right", "left", "up", "down", "front", "back"]),
+    (Family::Words, ["right", "left", "up", "down", "forward", "backward"]),
+    (Family::Words, ["right", "left", "ceiling", "floor", "front", "rear"]),
+    (Family::Words, ["right", "left", "zenith", "nadir", "ahead", "behind"]),
+    (Family::Words, ["right", "left", "above", "below", "front", "back"]),
     (Family::Quake, ["rt", "lf", "up", "dn", "ft", "bk"]),
+    (Family::Quake, ["rt", "lf", "up", "dn", "fr", "bk"]),
+    (Family::Quake, ["rt", "lt", "up", "dn", "fd", "bk"]),
+    (Family::Initials, ["r", "l", "u", "d", "f", "b"]),
+    (Family::Compass, ["east", "west", "up", "down", "north", "south"]),
+    (Family::Compass, ["east", "west", "top", "bottom", "north", "south"]),
+    (Family::Compass, ["east", "west", "zenith", "nadir", "north", "south"]),
+    (Family::Compass, ["e", "w", "u", "d", "n", "s"]),
+    (Family::German, ["rechts", "links", "oben", "unten", "vorne", "hinten"]),
+    (Family::German, ["rechts", "links", "decke", "boden", "vorn", "hinten"]),
+    (Family::Czech, ["vpravo", "vlevo", "nahoře", "dole", "vpředu", "vzadu"]),
+    (Family::Czech, ["vpravo", "vlevo", "nahore", "dole", "vpredu", "vzadu"]),
+    (Family::Czech, ["pravá", "levá", "horní", "dolní", "přední", "zadní"]),
+    (Family::Czech, ["prava", "leva", "horni", "dolni", "predni", "zadni"]),
+    (Family::Czech, ["vpravo", "vlevo", "strop", "podlaha", "vpředu", "vzadu"]),
+    (Family::French, ["droite", "gauche", "haut", "bas", "devant", "derrière"]),
+    (Family::French, ["droite", "gauche", "dessus", "dessous", "avant", "derriere"]),
+    (Family::French, ["droite", "gauche", "plafond", "sol", "avant", "arrière"]),
+    (Family::French, ["droite", "gauche", "haut", "bas", "avant", "arriere"]),
+    (Family::Spanish, ["derecha", "izquierda", "arriba", "abajo", "delante", "detrás"]),
+    (Family::Spanish, ["derecha", "izquierda", "techo", "suelo", "frente", "detras"]),
+    (Family::Spanish, ["derecha", "izquierda", "arriba", "abajo", "frente", "atrás"]),
+    (Family::Spanish, ["derecha", "izquierda", "arriba", "abajo", "frente", "atras"]),
+    (Family::Italian, ["destra", "sinistra", "sopra", "sotto", "davanti", "dietro"]),
 ];
 
 /// One way to read a file name as that of a face.
@@ -56,7 +101,7 @@ pub(super) fn readings(file_name: &str) -> Vec<Reading> {
     let original = stem(file_name);
     let lower = original.to_ascii_lowercase();
     let mut readings = Vec::new();
-    for (family, names) in SPELLINGS {
+    for &(family, names) in SPELLINGS {
         for (face, name) in Face::ALL.into_iter().zip(names) {
             for (start, _) in lower.match_indices(name) {
                 let end = start + name.len();
@@ -70,6 +115,27 @@ pub(super) fn readings(file_name: &str) -> Vec<Reading> {
         }
     }
     readings
+}
+
+/// The last number in a file name, with what stands before and after it: `sky_`, 03, `` of `sky_03.png`.
+pub(super) fn number(file_name: &str) -> Option<(&str, u32, &str)> {
+    let stem = stem(file_name);
+    let end = stem.rfind(|letter: char| letter.is_ascii_digit())? + 1;
+    let start = stem[..end]
+        .rfind(|letter: char| !letter.is_ascii_digit())
+        .map_or(0, |before| before + stem[before..].chars().next().map_or(0, char::len_utf8));
+    Some((&stem[..start], stem[start..end].parse().ok()?, &stem[end..]))
+}
+
+/// Where the six faces stand in a numbering that is documented for names with this prefix: `panorama_0` to `panorama_5` of
+/// Minecraft are front, right, back, left, up, down; `_c00` to `_c05` of CubeMapGen +X -X +Y -Y +Z -Z.
+pub(super) fn numbered_order(prefix: &str) -> Option<[usize; 6]> {
+    let prefix = prefix.to_ascii_lowercase();
+    match () {
+        () if prefix.ends_with("panorama_") => Some([1, 3, 4, 5, 0, 2]),
+        () if prefix.ends_with("_c") => Some([0, 1, 2, 3, 4, 5]),
+        () => None,
+    }
 }
 
 /// The file name without its extension. A name that starts with its only dot has none.
@@ -139,7 +205,7 @@ mod tests {
 
     #[test]
     fn every_spelling_is_read_as_its_face() {
-        for (family, names) in SPELLINGS {
+        for &(family, names) in SPELLINGS {
             for (face, name) in Face::ALL.into_iter().zip(names) {
                 let found = readings(&format!("sky_{name}.png"));
                 assert!(found.iter().any(|reading| (reading.family, reading.face) == (family, face)), "{name}");

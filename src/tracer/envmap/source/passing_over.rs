@@ -33,7 +33,7 @@ const NO_FACE: [&str; 12] = [
 
 /// True if the path of a file inside a folder or archive (parts separated by `/`) cannot be a face: hidden files, what
 /// macOS adds to archives, texts, thumbnails.
-pub(super) fn is_passed_over(path: &str) -> bool {
+pub fn is_passed_over(path: &str) -> bool {
     let hidden = path.split('/').any(|part| part.starts_with('.') || part == "__MACOSX");
     let file_name = path.rsplit('/').next().unwrap_or(path);
     hidden || NO_PICTURE.contains(&extension(file_name).as_str()) || has_word_of_no_face(file_name)

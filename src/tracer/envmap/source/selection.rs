@@ -12,6 +12,10 @@ pub(super) type Found = [Vec<usize>; 6];
 pub(super) enum Selection {
     /// One file for each face.
     Six([usize; 6]),
+    /// Six files whose names number them in an order that is not known.
+    Numbered([usize; 6]),
+    /// Six pictures whose names say nothing, in the order of their names.
+    Unnamed([usize; 6]),
     /// More than one complete set.
     Several(Vec<Found>),
     /// Faces are missing, or have several files. No face at all if every list is empty.
@@ -23,6 +27,7 @@ pub(super) enum Selection {
 /// 1. Names that differ only in the name of the face (`sky_ft`, `sky_bk`, ...) belong together.
 /// 2. Otherwise names of one family, each by itself (`01-front`, `02-back`, ...).
 /// 3. Otherwise any names that stand by themselves, if there is one for each face.
+/// 4. Otherwise six names that differ only in a number, or six pictures of which at most a few are named.
 pub(super) fn select(names: &[&str]) -> Selection {
     let readings: Vec<Vec<Reading>> = names.iter().map(|name| naming::readings(name)).collect();
     let alike =
@@ -38,10 +43,57 @@ pub(super) fn select(names: &[&str]) -> Selection {
     }
     let mixture = groups(&last_of_all(&separate), &|_| (None, "", "")).pop().unwrap_or_default();
     let mixture = prefer_readable(names, mixture);
-    match single_files(&mixture) {
-        Some(six) => Selection::Six(six),
-        None => Selection::Unclear(most_faces(names, families, mixture)),
+    if let Some(six) = single_files(&mixture) {
+        return Selection::Six(six);
     }
+    if let Some(numbered) = numbered(names) {
+        return numbered;
+    }
+    let found = most_faces(names, families, mixture);
+    let pictures: Vec<usize> = (0..names.len()).filter(|&file| is_readable_format(names[file])).collect();
+    match <[usize; 6]>::try_from(pictures) {
+        Ok(mut six) if missing(&found).len() >= MOSTLY_UNNAMED => {
+            six.sort_by_key(|&file| names[file]);
+            Selection::Unnamed(six)
+        }
+        _ => Selection::Unclear(found),
+    }
+}
+
+/// Faces without a file from which on the names of six pictures are no names of faces.
+const MOSTLY_UNNAMED: usize = 4;
+
+/// Six names that differ only in a number that counts from one to the next.
+fn numbered<'a>(names: &[&'a str]) -> Option<Selection> {
+    let numbers = |(file, name): (usize, &&'a str)| naming::number(name).map(|found| (found, file));
+    let readable = names.iter().enumerate().filter(|(_, name)| is_readable_format(name));
+    let mut files: Vec<((&str, u32, &str), usize)> = readable.filter_map(numbers).collect();
+    files.sort_by_key(|&((prefix, number, suffix), _)| (prefix, suffix, number));
+    let mut sets = files.chunk_by(|(one, _), (other, _)| (one.0, one.2) == (other.0, other.2)).filter_map(|files| {
+        let counts = files.windows(2).all(|pair| pair[1].0.1 == pair[0].0.1 + 1);
+        let six: [usize; 6] = files.iter().map(|&(_, file)| file).collect::<Vec<_>>().try_into().ok()?;
+        counts.then_some((files[0].0.0, six))
+    });
+    let (Some((prefix, files)), None) = (sets.next(), sets.next()) else { return None };
+    Some(match naming::numbered_order(prefix) {
+        Some(order) => Selection::Six(order.map(|place| files[place])),
+        None => Selection::Numbered(files),
+    })
+}
+
+/// What the names of a set have in common at their beginning, without separators at its end.
+pub(super) fn common_prefix<'a>(names: &[&'a str]) -> &'a str {
+    let mut prefix = names.first().copied().unwrap_or_default();
+    while !names.iter().all(|name| name.starts_with(prefix)) {
+        let last = prefix.char_indices().next_back().map_or(0, |(index, _)| index);
+        prefix = &prefix[..last];
+    }
+    without_separators(prefix)
+}
+
+/// A name without the separators at its end.
+pub(super) fn without_separators(name: &str) -> &str {
+    name.trim_end_matches(['_', '-', '.', ' '])
 }
 
 /// What two names of one set have in common: family, prefix and suffix.
@@ -89,7 +141,7 @@ fn judge(mut sets: Vec<Found>) -> Selection {
 }
 
 /// The one file of each face, if each has exactly one and no file stands for two.
-fn single_files(found: &Found) -> Option<[usize; 6]> {
+pub(super) fn single_files(found: &Found) -> Option<[usize; 6]> {
     let mut six = [0; 6];
     for (file, files) in six.iter_mut().zip(found) {
         let [only] = files[..] else { return None };

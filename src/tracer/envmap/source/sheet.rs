@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
+use super::super::orientation::ImageOperation;
+use super::cross::{self, Grid};
 use super::face_image::{read_file, read_header};
 use super::layout::{Cell, EnvironmentPicture, Layout};
 use crate::envmap::Face;
@@ -15,6 +17,7 @@ pub(super) struct Sheet {
     path: PathBuf,
     header: Header,
     layout: Layout,
+    cells: [Cell; 6],
     picture: OnceLock<Result<Picture>>,
 }
 
@@ -24,17 +27,40 @@ impl Sheet {
         &self.path
     }
 
-    /// Reads the header and tells the layout from it.
+    /// Reads the header and tells the layout from it; where the faces of a cross lie its pixels must tell.
     pub fn open(path: &Path) -> Result<Self> {
         let (header, head) = read_header(|limit| read_file(path, limit), path)?;
         let attribute = picture::exr_environment(&head);
         let recognised = EnvironmentPicture::recognise(header.width, header.height, attribute);
-        match recognised.map_err(|error| error.in_file(path))? {
-            EnvironmentPicture::Cube(layout) => {
-                Ok(Self { path: path.to_path_buf(), header, layout, picture: OnceLock::new() })
-            }
-            EnvironmentPicture::Equirectangular => Err(equirectangular(path, header)),
+        let layout = match recognised.map_err(|error| error.in_file(path))? {
+            EnvironmentPicture::Cube(layout) => layout,
+            EnvironmentPicture::Equirectangular => return Err(equirectangular(path, header)),
+        };
+        let mut sheet =
+            Self { path: path.to_path_buf(), header, layout, cells: layout.cells(), picture: OnceLock::new() };
+        if layout.is_cross() || layout == Layout::WideSheet || layout == Layout::TallSheet {
+            sheet.refuse_equi_angular()?;
+            let (columns, rows) = layout.grid();
+            let grid = Grid { picture: sheet.picture()?, columns, rows };
+            let cells = if layout.is_cross() { cross::cells(&grid, layout) } else { cross::sheet_cells(&grid, layout) };
+            sheet.cells = cells.map_err(|error| error.in_file(path))?;
         }
+        Ok(sheet)
+    }
+
+    /// An error for an equi-angular cube map, which only its name tells.
+    fn refuse_equi_angular(&self) -> Result<()> {
+        let name = self.name().to_ascii_lowercase();
+        if name.split(|letter: char| !letter.is_ascii_alphabetic()).all(|word| word != "eac") {
+            return Ok(());
+        }
+        Err(Error::new("an equi-angular cube map (EAC), by its name: its faces are stretched towards their borders")
+            .in_file(&self.path)
+            .expected("six faces as a camera of 90° sees them"))
+    }
+
+    fn picture(&self) -> Result<&Picture> {
+        self.picture.get_or_init(|| self.decode()).as_ref().map_err(Error::clone)
     }
 
     /// The name of the file.
@@ -47,7 +73,7 @@ impl Sheet {
     }
 
     pub fn cell(&self, face: Face) -> Cell {
-        self.layout.cell(face)
+        self.cells[face.index()]
     }
 
     /// The header of every face: that of the file, with the size of a cell.
@@ -58,11 +84,11 @@ impl Sheet {
 
     /// The pixels of a cell, turned upright.
     pub fn cut(&self, cell: Cell) -> Result<Picture> {
-        let picture = self.picture.get_or_init(|| self.decode()).as_ref().map_err(Error::clone)?;
+        let picture = self.picture()?;
         let Header { width, height, .. } = self.cell_header();
         // Column and row in the sheet of the pixel at `x` and `y` of the face.
         let place = |x: usize, y: usize| {
-            let (x, y) = if cell.upside_down { (width - 1 - x, height - 1 - y) } else { (x, y) };
+            let (x, y) = if cell.turn == ImageOperation::None { (x, y) } else { cell.turn.source(x, y, width) };
             (cell.row * height + y) * picture.width() + cell.column * width + x
         };
         let places = (0..height).flat_map(|y| (0..width).map(move |x| (x, y))).map(|(x, y)| place(x, y));

@@ -53,7 +53,7 @@ fn named_files_need_no_names_of_faces() {
 #[test]
 fn a_missing_face_is_named() {
     let folder = six_files();
-    fs::rename(folder.path().join("negy.png"), folder.path().join("below.png")).unwrap();
+    fs::rename(folder.path().join("negy.png"), folder.path().join("ground.png")).unwrap();
     insta::assert_snapshot!(error_at(&folder, ""), @r"
         [folder]: negy without a file
           posx: posx.png
@@ -62,7 +62,7 @@ fn a_missing_face_is_named() {
           negy: nothing
           posz: posz.png
           negz: negz.png
-          passed over: below.png
+          passed over: ground.png
           expected: one picture for each of the six faces
           help: rename files, or move those that do not belong out of the way; a scene may also name the six files itself
         ");

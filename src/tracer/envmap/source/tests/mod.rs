@@ -2,6 +2,7 @@
 
 mod archives;
 mod folders;
+mod naming_schemes;
 mod real_maps;
 mod sheets;
 

@@ -69,6 +69,50 @@ fn crosses_and_strips_are_cut() {
 }
 
 #[test]
+fn sheets_are_cut_row_by_row() {
+    let cells = [0, 1, 2, 3, 4, 5].map(Some);
+    check_sheet(&sheet(3, 2, &cells, None), Layout::WideSheet);
+    check_sheet(&sheet(2, 3, &cells, None), Layout::TallSheet);
+}
+
+#[test]
+fn the_arms_of_a_cross_stand_where_its_cells_are_not_empty() {
+    let [px, nx, py, ny, pz, nz] = [0, 1, 2, 3, 4, 5].map(Some);
+    for front in 0..4 {
+        let mut horizontal = [None; 12];
+        let mut vertical = [None; 12];
+        for (quarter, face) in [pz, px, nz, nx].into_iter().enumerate() {
+            horizontal[4 + (front + quarter) % 4] = face;
+        }
+        for (quarter, face) in [pz, ny, nz, py].into_iter().enumerate() {
+            vertical[3 * ((front + quarter) % 4) + 1] = face;
+        }
+        (horizontal[front], horizontal[8 + front]) = (py, ny);
+        (vertical[3 * front], vertical[3 * front + 2]) = (nx, px);
+        check_sheet(&sheet(4, 3, &horizontal, None), Layout::HorizontalCross);
+        check_sheet(&sheet(3, 4, &vertical, nz), Layout::VerticalCross);
+    }
+}
+
+#[test]
+fn a_picture_of_the_shape_of_a_cross_or_sheet_is_refused() {
+    let folder = TempDir::new().unwrap();
+    let waves = |x: u32, y: u32| (128.0 + 60.0 * (x as f32 / 3.0).sin() + 60.0 * (y as f32 / 4.0).cos()) as u8;
+    for (width, height, why) in [
+        (64, 48, "its corner cells are not empty"),
+        (48, 64, "its corner cells are not empty"),
+        (48, 32, "its cells continue each other"),
+    ] {
+        let picture = RgbImage::from_fn(width, height, |x, y| Rgb([waves(x, y); 3]));
+        fs::write(folder.path().join("photo.png"), png(&picture)).unwrap();
+        let error = error_at(&folder, "photo.png");
+        assert!(error.contains(why), "{error}");
+    }
+    fs::write(folder.path().join("sky_eac.png"), plain(12, 8, 0)).unwrap();
+    assert!(error_at(&folder, "sky_eac.png").contains("equi-angular"));
+}
+
+#[test]
 fn other_pictures_are_refused() {
     let folder = TempDir::new().unwrap();
     fs::write(folder.path().join("panorama.png"), plain(8, 4, 0)).unwrap();
@@ -80,7 +124,7 @@ fn other_pictures_are_refused() {
     fs::write(folder.path().join("cross.png"), plain(41, 30, 0)).unwrap();
     insta::assert_snapshot!(error_at(&folder, "cross.png"), @r"
         [folder]/cross.png: 41 x 30 pixels: the shape tells no layout of six faces
-          expected: a cross or strip whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6)
+          expected: a cross, strip or sheet whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, sheet 3:2, sheet 2:3)
           help: if this is a horizontal cross 4:3, 40 x 30 or 44 x 33 pixels would be right
         ");
     fs::write(folder.path().join("notes.txt"), "no picture").unwrap();

@@ -1,7 +1,8 @@
 //! A way to lay six images on the faces of the cube.
 
-use super::edge::{Edge, EdgeBorders};
-use super::pair_cost::{PairCosts, UNITS, Units, border_index};
+use super::super::borders::edge::{Edge, EdgeBorders};
+use super::super::borders::pair_cost::{PairCosts, UNITS, Units, border_index};
+use super::super::thresholds::evidence::STRONG;
 use crate::envmap::{Face, Orientation};
 
 /// Per face the image it reads and how that is laid, relative to the given lookup.
@@ -35,12 +36,17 @@ impl Arrangement {
 
 /// The map's borders under the given lookup: what all arrangements are judged by.
 #[derive(Debug, Clone)]
-pub struct Puzzle {
+pub struct Problem {
     pub borders: EdgeBorders,
     pub costs: PairCosts,
 }
 
-impl Puzzle {
+impl Problem {
+    /// The same for a search that the seams of an image do not lead: wherever that lies, it costs the same.
+    pub fn without(&self, image: Face) -> Self {
+        Self { borders: self.borders.clone(), costs: self.costs.without(image) }
+    }
+
     /// The cost of one edge.
     pub fn edge_cost(&self, arrangement: &Arrangement, edge: usize) -> f64 {
         let (images, borders) = self.ends(arrangement, edge);
@@ -53,7 +59,11 @@ impl Puzzle {
     }
 
     /// The images and borders that meet at an edge.
-    pub fn ends(&self, arrangement: &Arrangement, edge: usize) -> ([Face; 2], [super::edge::Border; 2]) {
+    pub fn ends(
+        &self,
+        arrangement: &Arrangement,
+        edge: usize,
+    ) -> ([Face; 2], [super::super::borders::edge::Border; 2]) {
         let Edge { first, second } = Edge::ALL[edge];
         let faces = [first.index(), second.index()];
         let borders = self.borders.at(edge, faces.map(|face| arrangement.orientations[face]));
@@ -114,9 +124,6 @@ pub struct Comparison {
     strong_losses: f64,
     strong: usize,
 }
-
-/// A difference of a unit that rounding and noise do not make: a factor of e in likelihood.
-const STRONG: f64 = 1.0;
 
 impl Comparison {
     fn add(&mut self, better: &Units, worse: &Units) {

@@ -93,6 +93,20 @@ impl PairCosts {
         self.totals[index(one, other, reversed)]
     }
 
+    /// The same, but the borders of an image cost the same with all others: wherever it lies, it tells nothing.
+    pub fn without(&self, image: Face) -> Self {
+        let mut costs = self.clone();
+        let mean = self.totals.iter().sum::<f64>() / self.totals.len() as f64;
+        for (one, other) in (0..24).flat_map(|one| (0..24).map(move |other| (one, other))) {
+            if [one, other].iter().any(|border| border / 4 == image.index()) {
+                for index in [false, true].map(|reversed| index(one, other, reversed)) {
+                    costs.totals[index] = mean;
+                }
+            }
+        }
+        costs
+    }
+
     fn index(images: [Face; 2], borders: [Border; 2]) -> usize {
         let [one, other] = [0, 1].map(|end| border_index(images[end], borders[end].side));
         index(one, other, borders[0].reversed != borders[1].reversed)

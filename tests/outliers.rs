@@ -53,7 +53,7 @@ fn copies_do_not_make_right_faces_wrong() {
         let Some(map) = named(name, &Storage::png(256)) else { continue };
         for (faces, original) in [([0, 1], 5), ([4, 5], 0), ([0, 4], 1)] {
             let check = with(&map, &faces, |_| map.pictures()[original].clone()).check(Names::Auto);
-            assert_eq!(check.fix.changes, 0, "{name}, {faces:?} are {original}: {:?} {:?}", check.fix, check.foreign);
+            assert_eq!(check.fix.changes, 0, "{name}, {faces:?} are {original}: {:?} {:?}", check.fix, check.outliers);
             assert_ne!(check.verdict, Verdict::Fits, "{name}, {faces:?} are {original}");
         }
     }
@@ -91,7 +91,7 @@ fn right_maps_fit_however_they_are_stored_and_spoilt() {
 }
 
 #[test]
-fn two_random_foreign_faces_seldom_fit_and_change_nothing() {
+fn two_random_outlier_faces_seldom_fit_and_change_nothing() {
     let maps = right_maps();
     let mut counts = [0; 4];
     for storage in [Storage::png(256), Storage::jpeg(128)] {

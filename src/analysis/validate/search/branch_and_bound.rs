@@ -4,8 +4,8 @@
 //! for, the cheapest pair of borders that could meet there; with that bound most of the 8^6 orientations are never
 //! visited, and of the 6! 8^6 arrangements a few thousand.
 
-use super::arrangement::{Arrangement, Puzzle};
-use super::edge::Edge;
+use super::super::borders::edge::Edge;
+use super::arrangement::{Arrangement, Problem};
 use crate::envmap::Face;
 
 /// What the search may change.
@@ -24,11 +24,11 @@ impl Freedom {
 }
 
 /// The cheapest arrangement; of several the first in the order of faces and orientations, so the given one if it is among them.
-pub fn cheapest(puzzle: &Puzzle, given: &Arrangement, freedom: Freedom) -> Arrangement {
-    let mut search = Search {
-        puzzle,
+pub fn cheapest(problem: &Problem, given: &Arrangement, freedom: Freedom) -> Arrangement {
+    let mut search = BranchAndBound {
+        problem,
         freedom,
-        bounds: bounds(puzzle, given, freedom),
+        bounds: bounds(problem, given, freedom),
         edges: edges_by_face(),
         current: *given,
         used: [false; 6],
@@ -40,8 +40,8 @@ pub fn cheapest(puzzle: &Puzzle, given: &Arrangement, freedom: Freedom) -> Arran
     search.best
 }
 
-struct Search<'a> {
-    puzzle: &'a Puzzle,
+struct BranchAndBound<'a> {
+    problem: &'a Problem,
     freedom: Freedom,
     /// The least that the edges paid for from a face on can cost.
     bounds: [f64; 7],
@@ -54,7 +54,7 @@ struct Search<'a> {
     sources: [Face; 6],
 }
 
-impl Search<'_> {
+impl BranchAndBound<'_> {
     fn lay(&mut self, face: usize, cost: f64) {
         if face == 6 {
             if cost < self.best_cost {
@@ -71,7 +71,7 @@ impl Search<'_> {
                 if self.allows(face, orientation) {
                     self.current.orientations[face] = orientation;
                     let paid: f64 =
-                        self.edges[face].iter().map(|&edge| self.puzzle.edge_cost(&self.current, edge)).sum();
+                        self.edges[face].iter().map(|&edge| self.problem.edge_cost(&self.current, edge)).sum();
                     // Costs that differ by rounding alone count as equal.
                     if cost + paid + self.bounds[face + 1] < self.best_cost * (1.0 - 1e-9) {
                         self.lay(face + 1, cost + paid);
@@ -97,18 +97,18 @@ fn edges_by_face() -> [Vec<usize>; 6] {
 }
 
 /// For every face the least that it and those after it can cost.
-fn bounds(puzzle: &Puzzle, given: &Arrangement, freedom: Freedom) -> [f64; 7] {
+fn bounds(problem: &Problem, given: &Arrangement, freedom: Freedom) -> [f64; 7] {
     let mut bounds = [0.0; 7];
     for face in (0..6).rev() {
         let least = |edge: usize| {
             let Edge { first, second } = Edge::ALL[edge];
             if freedom.any_order {
-                return least_between_any(puzzle);
+                return least_between_any(problem);
             }
             let mut least = f64::INFINITY;
             for orientations in (0..64).map(|index| [index / 8, index % 8]) {
                 let images = [given.images[first.index()], given.images[second.index()]];
-                least = least.min(puzzle.costs.total(images, puzzle.borders.at(edge, orientations)));
+                least = least.min(problem.costs.total(images, problem.borders.at(edge, orientations)));
             }
             least
         };
@@ -118,12 +118,12 @@ fn bounds(puzzle: &Puzzle, given: &Arrangement, freedom: Freedom) -> [f64; 7] {
 }
 
 /// The cheapest pair of borders of two different images.
-fn least_between_any(puzzle: &Puzzle) -> f64 {
+fn least_between_any(problem: &Problem) -> f64 {
     let mut least = f64::INFINITY;
     for one in 0..24 {
         for other in (one / 4 + 1) * 4..24 {
             for reversed in [false, true] {
-                least = least.min(puzzle.costs.total_of(one, other, reversed));
+                least = least.min(problem.costs.total_of(one, other, reversed));
             }
         }
     }
@@ -132,27 +132,27 @@ fn least_between_any(puzzle: &Puzzle) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::edge::EdgeBorders;
-    use super::super::pair_cost::PairCosts;
+    use super::super::super::borders::edge::EdgeBorders;
+    use super::super::super::borders::pair_cost::PairCosts;
     use super::*;
     use crate::envmap::Preset;
 
     /// Costs that look random: no structure that a bound could profit from.
-    fn puzzle(seed: u64) -> Puzzle {
+    fn problem(seed: u64) -> Problem {
         let cost = |one: usize, other: usize, reversed: bool| {
             let mut state =
                 seed ^ ((one * 48 + other * 2 + usize::from(reversed)) as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15);
             state = (state ^ (state >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
             ((state ^ (state >> 27)) % 1000) as f64
         };
-        Puzzle { borders: EdgeBorders::new(&Preset::Course.lookup()), costs: PairCosts::made_up(cost) }
+        Problem { borders: EdgeBorders::new(&Preset::Course.lookup()), costs: PairCosts::made_up(cost) }
     }
 
-    fn cost(puzzle: &Puzzle, arrangement: &Arrangement) -> f64 {
-        (0..12).map(|edge| puzzle.edge_cost(arrangement, edge)).sum()
+    fn cost(problem: &Problem, arrangement: &Arrangement) -> f64 {
+        (0..12).map(|edge| problem.edge_cost(arrangement, edge)).sum()
     }
 
-    fn least_over_orientations(puzzle: &Puzzle, images: [Face; 6], faces: std::ops::Range<usize>) -> f64 {
+    fn least_over_orientations(problem: &Problem, images: [Face; 6], faces: std::ops::Range<usize>) -> f64 {
         let count = 8_usize.pow(faces.len() as u32);
         let mut least = f64::INFINITY;
         for number in 0..count {
@@ -162,7 +162,7 @@ mod tests {
                 orientations[face] = rest % 8;
                 rest /= 8;
             }
-            least = least.min(cost(puzzle, &Arrangement { images, orientations }));
+            least = least.min(cost(problem, &Arrangement { images, orientations }));
         }
         least
     }
@@ -170,26 +170,26 @@ mod tests {
     #[test]
     fn finds_the_cheapest_of_all_orientations() {
         for seed in [1, 2, 3] {
-            let puzzle = puzzle(seed);
-            let found = cheapest(&puzzle, &Arrangement::given(Face::ALL), Freedom::TRUSTED);
-            assert_eq!(cost(&puzzle, &found), least_over_orientations(&puzzle, Face::ALL, 0..6));
+            let problem = problem(seed);
+            let found = cheapest(&problem, &Arrangement::given(Face::ALL), Freedom::TRUSTED);
+            assert_eq!(cost(&problem, &found), least_over_orientations(&problem, Face::ALL, 0..6));
         }
     }
 
     #[test]
     fn finds_the_cheapest_of_all_orders() {
         // All 5! orders of five images behind the first, which stays: 3.9 million arrangements.
-        let puzzle = puzzle(4);
+        let problem = problem(4);
         let mut least = f64::INFINITY;
         let mut images = Face::ALL;
         let mut orders = vec![];
         permutations(&mut images, 1, &mut orders);
         assert_eq!(orders.len(), 120);
         for order in orders {
-            least = least.min(least_over_orientations(&puzzle, order, 1..6));
+            least = least.min(least_over_orientations(&problem, order, 1..6));
         }
-        let found = cheapest(&puzzle, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
-        assert_eq!(cost(&puzzle, &found), least);
+        let found = cheapest(&problem, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
+        assert_eq!(cost(&problem, &found), least);
     }
 
     fn permutations(images: &mut [Face; 6], from: usize, orders: &mut Vec<[Face; 6]>) {
@@ -206,11 +206,11 @@ mod tests {
 
     #[test]
     fn a_turn_of_the_whole_cube_costs_the_same() {
-        let puzzle = puzzle(5);
+        let problem = problem(5);
         let lookup = Preset::Course.lookup();
         let laid = Arrangement { images: Face::ALL, orientations: [0, 3, 5, 7, 1, 2] };
         for symmetry in super::super::symmetry::Symmetry::all() {
-            assert_eq!(cost(&puzzle, &symmetry.of(&laid, &lookup)), cost(&puzzle, &laid), "{symmetry:?}");
+            assert_eq!(cost(&problem, &symmetry.of(&laid, &lookup)), cost(&problem, &laid), "{symmetry:?}");
         }
     }
 }

@@ -1,0 +1,252 @@
+//! Faces whose image belongs to no place in the map: another scene, one flat colour, a copy of another face.
+
+use super::borders::border::Borders;
+use super::borders::edge::Edge;
+use super::seam::measure;
+use super::search::arrangement::{Arrangement, Problem};
+use super::thresholds::outlier::{
+    ANOTHER_PATTERN, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_STEP, VISIBLE,
+};
+use super::thresholds::seam::UNDECIDED;
+use crate::envmap::{CubeMap, Face};
+use crate::error::Result;
+
+/// A face whose image does not belong.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Outlier {
+    pub face: Face,
+    pub reason: Reason,
+}
+
+/// What the image is instead.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Reason {
+    /// One flat colour.
+    Flat,
+    /// The same pixels as this image.
+    CopyOf(Face),
+    /// A picture of something else.
+    AnotherScene,
+}
+
+/// How a face fits among the others, in its best orientation.
+#[cfg(test)]
+pub struct Judged {
+    /// The mean fit of its four seams.
+    pub fit: f64,
+    /// Their mean step.
+    pub step: f64,
+    /// Their mean cost, brightness apart.
+    pub pattern: f64,
+    /// The agreement of the brightness along them.
+    pub agreement: f64,
+}
+
+/// Judges a face as the thresholds do.
+#[cfg(test)]
+pub fn judge(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> Judged {
+    let (laid, fit) = best_laid(problem, arrangement, face);
+    Judged {
+        fit,
+        step: mean_step(problem, images, &laid, face),
+        pattern: pattern_cost(problem, &laid, face),
+        agreement: agreement(problem, arrangement, face),
+    }
+}
+
+/// The face that fits nothing, in any orientation, while the others fit as `arrangement` has them. The image of that face is
+/// left as it is given.
+pub fn find(
+    map: &CubeMap,
+    problem: &Problem,
+    images: &Borders,
+    arrangement: &Arrangement,
+) -> Result<Option<(Outlier, Arrangement)>> {
+    if let Some(copied) = copied(map, problem, images, arrangement)? {
+        return Ok(Some(copied));
+    }
+    let judged = Face::ALL.map(|face| best_laid(problem, arrangement, face));
+    let worst = |a: &usize, b: &usize| judged[*a].1.total_cmp(&judged[*b].1);
+    let Some(worst) = (0..6).max_by(worst) else { return Ok(None) };
+    let (face, (laid, fit)) = (Face::ALL[worst], &judged[worst]);
+    if mean_fit(problem, laid, face, false) > FAMILIAR || mean_score(problem, images, laid, face) < VISIBLE {
+        return Ok(None);
+    }
+    let image = laid.images[worst];
+    let copy = copy_of(map, images, image)?;
+    let (reason, threshold, fit) = match copy {
+        // A copy laid as a mirror image of its original closes the seam between the two, which says nothing.
+        Some(other) => {
+            let original = laid.face_of(other);
+            (Reason::CopyOf(other), OUTLIER_COPY, fit_without(problem, arrangement, face, original))
+        }
+        None if images[image.index()].is_flat() => (Reason::Flat, OUTLIER_FLAT, *fit),
+        None => (Reason::AnotherScene, OUTLIER, *fit),
+    };
+    let unlike = match reason {
+        Reason::AnotherScene => {
+            pattern_cost(problem, laid, face) >= ANOTHER_PATTERN
+                && agreement(problem, arrangement, face) < KINDRED
+                && mean_step(problem, images, laid, face) >= OUTLIER_STEP
+        }
+        Reason::Flat => mean_step(problem, images, laid, face) >= OUTLIER_STEP,
+        Reason::CopyOf(_) => true,
+    };
+    Ok((fit >= threshold && unlike).then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
+}
+
+/// True if the best arrangement takes the image of a face elsewhere, and it fits there: two files were exchanged.
+pub fn fits_elsewhere(
+    problem: &Problem,
+    images: &Borders,
+    given: &Arrangement,
+    best: &Arrangement,
+    face: Face,
+) -> bool {
+    let image = given.images[face.index()];
+    best.face_of(image).is_some_and(|place| {
+        place != face && mean_fit(problem, best, place, true) <= FAMILIAR && !gapes(problem, images, best, place)
+    })
+}
+
+/// True if at least three of a face's seams go as well with most other borders, are seen, and neither their patterns nor
+/// those in any other orientation say that it belongs here all the same: it may be of another scene. So may a face beside it
+/// whose seam with it closes: then nobody can say which. A face in grey or exposed otherwise keeps its patterns.
+pub fn gapes(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching.filter(|&edge| problem.fit(arrangement, edge) > UNDECIDED).count() >= 3
+        && mean_score(problem, images, arrangement, face) >= VISIBLE
+        && pattern_cost(problem, arrangement, face) >= ANOTHER_PATTERN
+        && agreement(problem, arrangement, face) < KINDRED
+}
+
+/// The images that must not tell how the others lie where `outlier` does not belong: itself, and all others that are
+/// outliers or copies as well.
+pub fn outliers(
+    map: &CubeMap,
+    problem: &Problem,
+    images: &Borders,
+    arrangement: &Arrangement,
+    outlier: Face,
+) -> Result<Vec<Face>> {
+    let mut outliers = vec![arrangement.images[outlier.index()]];
+    for face in Face::ALL.into_iter().filter(|&face| face != outlier) {
+        let image = arrangement.images[face.index()];
+        let strange = match copy_of(map, images, image)? {
+            Some(other) => {
+                let original = arrangement.face_of(other);
+                fit_without(problem, arrangement, face, original) >= OUTLIER_COPY
+            }
+            None => {
+                best_laid(problem, arrangement, face).1 >= OUTLIER && agreement(problem, arrangement, face) < KINDRED
+            }
+        };
+        if strange {
+            outliers.push(image);
+        }
+    }
+    Ok(outliers)
+}
+
+/// A face with the texels of another that sees them in its place: its own seams gape where those of the original close. In a
+/// picture of the world two faces never hold the same detail; in a drawn one they may, and then all seams close.
+fn copied(
+    map: &CubeMap,
+    problem: &Problem,
+    images: &Borders,
+    arrangement: &Arrangement,
+) -> Result<Option<(Outlier, Arrangement)>> {
+    let mut worst: Option<(f64, Outlier)> = None;
+    for face in Face::ALL {
+        let Some(other) = copy_of(map, images, arrangement.images[face.index()])? else { continue };
+        let Some(original) = arrangement.face_of(other) else {
+            continue;
+        };
+        let (laid, _) = best_laid(problem, arrangement, face);
+        let away = |of: Face, from: Face| score_away_from(problem, images, &laid, of, from);
+        let (gaping, closing) = (away(face, original), away(original, face));
+        let others_fit = mean_fit(problem, &laid, face, false) <= FAMILIAR;
+        let gapes = others_fit && gaping >= VISIBLE && closing <= 0.5 * gaping;
+        if gapes && worst.is_none_or(|(score, _)| gaping > score) {
+            worst = Some((gaping, Outlier { face, reason: Reason::CopyOf(other) }));
+        }
+    }
+    Ok(worst.map(|(_, outlier)| (outlier, arrangement.with_orientation(outlier.face, 0))))
+}
+
+/// The mean score of the seams of a face but for the one towards another: a copy beside its original may close that one.
+fn score_away_from(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face, other: Face) -> f64 {
+    let counts = |&edge: &usize| Edge::ALL[edge].touches(face) && !Edge::ALL[edge].touches(other);
+    let scores: Vec<f64> =
+        (0..12).filter(counts).map(|edge| measure(problem, images, arrangement, edge).score).collect();
+    scores.iter().sum::<f64>() / scores.len().max(1) as f64
+}
+
+/// The mean cost of a face's seams but for their mean brightness and colour, which a different exposure explains.
+fn pattern_cost(problem: &Problem, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching
+        .map(|edge| problem.edge_units(arrangement, edge)[1..].iter().map(|&unit| f64::from(unit)).sum::<f64>())
+        .sum::<f64>()
+        / 4.0
+}
+
+/// How far the brightness along the borders of a face agrees with that along its neighbours', in the orientation that agrees most:
+/// see [`super::borders::agreement`].
+fn agreement(problem: &Problem, arrangement: &Arrangement, face: Face) -> f64 {
+    let along = |laid: &Arrangement, edge: usize| {
+        let (images, borders) = problem.ends(laid, edge);
+        f64::from(problem.costs.correlation(images, borders).evidence())
+    };
+    let touching = || (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    let all = |laid: Arrangement| touching().map(|edge| along(&laid, edge)).sum::<f64>();
+    (0..8).map(|orientation| all(arrangement.with_orientation(face, orientation))).fold(f64::NEG_INFINITY, f64::max)
+}
+
+/// The mean fit of the seams of a face, in its best orientation, but for the one towards `other`.
+fn fit_without(problem: &Problem, arrangement: &Arrangement, face: Face, other: Option<Face>) -> f64 {
+    let counts = |&edge: &usize| {
+        let edge = Edge::ALL[edge];
+        edge.touches(face) && !other.is_some_and(|other| edge.touches(other))
+    };
+    let edges: Vec<usize> = (0..12).filter(counts).collect();
+    let fit = |laid: &Arrangement| edges.iter().map(|&edge| problem.fit(laid, edge)).sum::<f64>() / edges.len() as f64;
+    (0..8).map(|orientation| fit(&arrangement.with_orientation(face, orientation))).fold(f64::INFINITY, f64::min)
+}
+
+/// The arrangement with the cheapest orientation of one face, and the mean fit of that face's seams.
+fn best_laid(problem: &Problem, arrangement: &Arrangement, face: Face) -> (Arrangement, f64) {
+    let orientations = (0..8).map(|orientation| arrangement.with_orientation(face, orientation));
+    let fits = orientations.map(|laid| (laid, mean_fit(problem, &laid, face, true)));
+    fits.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are eight orientations")
+}
+
+/// The mean fit of the seams that touch the face, or of those that do not.
+fn mean_fit(problem: &Problem, arrangement: &Arrangement, face: Face, touching: bool) -> f64 {
+    let chosen = |&edge: &usize| Edge::ALL[edge].touches(face) == touching;
+    let count = if touching { 4.0 } else { 8.0 };
+    (0..12).filter(chosen).map(|edge| problem.fit(arrangement, edge)).sum::<f64>() / count
+}
+
+fn mean_score(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching.map(|edge| measure(problem, images, arrangement, edge).score).sum::<f64>() / 4.0
+}
+
+fn mean_step(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
+    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+    touching.map(|edge| measure(problem, images, arrangement, edge).step).sum::<f64>() / 4.0
+}
+
+/// Another image with the same texels.
+fn copy_of(map: &CubeMap, borders: &Borders, image: Face) -> Result<Option<Face>> {
+    if borders[image.index()].is_flat() {
+        return Ok(None);
+    }
+    for other in Face::ALL.into_iter().filter(|&other| other != image) {
+        if map.picture(image)?.texels() == map.picture(other)?.texels() {
+            return Ok(Some(other));
+        }
+    }
+    Ok(None)
+}

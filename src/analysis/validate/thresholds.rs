@@ -1,0 +1,166 @@
+//! All thresholds of the validator: what each separates, and on which sides of it the maps at hand lie.
+//!
+//! `cargo test --release -p skycube-analysis thresholds -- --ignored --nocapture` prints the margins for the project's maps
+//! and those beside the repository. Steps are of 255 display codes; fits are those of [`super::search::arrangement`].
+
+/// When one arrangement fits decisively better than another: [`super::search::evidence`].
+pub mod evidence {
+    /// Standard errors by which an arrangement must be better. Chance reaches 2.6 in 180 mixtures of unrelated faces.
+    pub const STANDARD_ERRORS: f64 = 3.5;
+    /// The part of the cost that it must save: less is a trifle, whatever its standard errors are.
+    pub const IMPROVEMENT: f64 = 0.12;
+    /// Nearly nothing is left of the cost: fewer standard errors will do, as where only a few lines cross the borders.
+    pub const FEW_STANDARD_ERRORS: f64 = 2.5;
+    pub const NEARLY_ALL: f64 = 0.5;
+    /// A difference of a unit that rounding and noise do not make: a factor of e in likelihood.
+    pub const STRONG: f64 = 1.0;
+    /// In a plain sky only a few coarse coefficients tell one orientation from another: those that differ strongly must
+    /// agree. Least logarithm of the likelihood, least count, and largest part of losses.
+    pub const STRONG_GAIN: f64 = 15.0;
+    pub const STRONG_COUNT: usize = 6;
+    pub const STRONG_LOSS: f64 = 0.12;
+    /// Coarse ground under strong compression: neither the costs nor the patterns along the borders decide alone, but both
+    /// point the same way. Logarithms of likelihood of the two together: of n standard errors n^2 / 2, and the agreement. Each
+    /// must tell something. A clear sky whose turned faces were stored at JPEG quality 50 reaches 0.9 standard errors for a
+    /// wrong orientation by chance, so the least number of them protects from little: what protects is the agreement, which
+    /// counts only what two patterns do not have in common ([`super::super::borders::agreement`]), and the sum of both.
+    pub const TOGETHER: f64 = 5.5;
+    pub const SOME_AGREEMENT: f64 = 3.0;
+    pub const SOME_STANDARD_ERRORS: f64 = 0.5;
+    pub const SOME_IMPROVEMENT: f64 = 0.03;
+}
+
+/// Faces that do not belong: [`super::outlier`].
+pub mod outlier {
+    /// The mean fit of the four seams of a face from which on it is an outlier.
+    pub const OUTLIER: f64 = 0.8;
+    /// The same for one of two equal images.
+    pub const OUTLIER_COPY: f64 = 0.5;
+    /// The same for one flat colour, which continues any plain picture but for its brightness.
+    pub const OUTLIER_FLAT: f64 = 0.3;
+    /// The mean step by which the neighbours must end in other colours than an outlier: a flat sky whose neighbours fade into
+    /// about its colour is a picture of a flat sky, and a nearly black floor (4 to 6 codes) belongs to nearly black walls.
+    pub const OUTLIER_STEP: f64 = 16.0;
+    /// The mean fit that the eight other seams must reach.
+    pub const FAMILIAR: f64 = 0.7;
+    /// The mean score (step over detail) below which the seams are not a visible fault.
+    pub const VISIBLE: f64 = 3.0;
+    /// The mean cost, brightness apart, that two unlike patterns have at least.
+    pub const ANOTHER_PATTERN: f64 = 30.0;
+    /// The agreement of the brightness along its four borders from which on a face is no outlier, however much its colours
+    /// differ: a grey face among coloured ones, a face in a frame. Measured: outliers reach 5.3, grey faces 32.
+    pub const KINDRED: f64 = 10.0;
+}
+
+/// Seams as the report shows them: [`super::seam`].
+pub mod seam {
+    /// The fit of a seam from which on its borders go as well with most others.
+    pub const UNDECIDED: f64 = 0.85;
+    /// A seam is broken if it costs more than this times what its sides cost in the arrangement found, and so much more.
+    pub const BROKEN_FACTOR: f64 = 1.3;
+    pub const BROKEN_COST: f64 = 4.0;
+    /// Detail below half a code is that of rounding.
+    pub const LEAST_DETAIL: f64 = 0.5;
+    /// The score above which a seam is called rough although the geometry fits.
+    pub const ROUGH: f64 = 3.0;
+    /// Codes by which all neighbours of a face must differ in one direction before it is called exposed otherwise.
+    pub const EXPOSED: f64 = 2.0;
+}
+
+/// Verdicts: [`super::solve`] and [`super::check`].
+pub mod verdict {
+    /// The mean fit of seams from which on the six pictures have nothing to do with each other.
+    pub const UNRELATED: f64 = 0.85;
+    /// Orientations of a face that must be decisively worse before the face tells anything, and faces that must tell.
+    pub const TELLING_ORIENTATIONS: usize = 4;
+    pub const TELLING_FACES: usize = 3;
+    /// Orientations that must be decisively worse before a file is edited.
+    pub const EDITED_ORIENTATIONS: usize = 3;
+    /// The mean step of seams that gape as nobody would overlook, and the part of it that a repair must leave at most: then a
+    /// map is broken even where fewer faces tell. Measured: a smooth sky with two files exchanged has 15 to 49 against 2.
+    pub const TORN_STEP: f64 = 12.0;
+    pub const REPAIRED: f64 = 1.0 / 3.0;
+    /// Undecidable seams from which on a map does not fit.
+    pub const UNDECIDABLE_SEAMS: usize = 6;
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::{Path, PathBuf};
+
+    use super::super::borders::border::{Borders, read_borders};
+    use super::super::borders::edge::EdgeBorders;
+    use super::super::borders::pair_cost::PairCosts;
+    use super::super::outlier;
+    use super::super::search::arrangement::{Arrangement, Problem};
+    use super::super::search::branch_and_bound::{Freedom, cheapest};
+    use crate::envmap::source::Skybox;
+    use crate::envmap::{Face, Lookup, Preset};
+    use crate::validate::load;
+
+    /// The borders of every map at hand.
+    fn maps() -> Vec<(String, Borders)> {
+        let project = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../envmaps");
+        let shared = std::env::var_os("SKYCUBE_SHARED_MAPS")
+            .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/envmaps"), PathBuf::from);
+        let mut paths: Vec<PathBuf> = ["", "layouts", "openexr"]
+            .iter()
+            .flat_map(|inner| [project.join(inner), shared.join(inner)])
+            .filter_map(|folder| std::fs::read_dir(folder).ok())
+            .flat_map(|entries| entries.flatten().map(|entry| entry.path()))
+            .collect();
+        paths.sort();
+        let borders = |path: PathBuf| {
+            let map = load(&Skybox::open(&path).ok()?, Preset::Opengl.lookup()).ok()?;
+            Some((path.file_name()?.to_string_lossy().into_owned(), read_borders(&map).ok()?))
+        };
+        paths.into_iter().filter_map(borders).collect()
+    }
+
+    fn problem(borders: &Borders, lookup: &Lookup) -> Problem {
+        Problem { borders: EdgeBorders::new(lookup), costs: PairCosts::new(borders) }
+    }
+
+    #[test]
+    #[ignore = "prints the margins of all maps at hand"]
+    fn margins() {
+        let lookup = Preset::Opengl.lookup();
+        let maps = maps();
+        println!(
+            "map                    mean fit  worst face: fit  step  |  turned face: errors  improvement  |  outlier: fit  step  pattern  agreement"
+        );
+        for (index, (name, borders)) in maps.iter().enumerate() {
+            let own = problem(borders, &lookup);
+            let right = cheapest(&own, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
+            let judged = Face::ALL.map(|face| outlier::judge(&own, borders, &right, face));
+            let fit = judged.iter().map(|judged| judged.fit).fold(0.0, f64::max);
+            let step = judged.iter().map(|judged| judged.step).fold(0.0, f64::max);
+            let turned = Face::ALL.into_iter().flat_map(|face| {
+                (1..8).map(move |turn| right.with_orientation(face, (right.orientations[face.index()] + turn) % 8))
+            });
+            let compared: Vec<(f64, f64)> = turned
+                .map(|turned| own.compare(&right, &turned))
+                .filter(|comparison| comparison.is_decisive())
+                .map(|comparison| (comparison.standard_errors(), comparison.improvement()))
+                .collect();
+            let errors = compared.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
+            let improvement = compared.iter().map(|one| one.1).fold(f64::INFINITY, f64::min);
+            print!("{name:22} {:8.2} {fit:17.2} {step:5.1}  | {errors:20.1} {improvement:12.2}", own.mean_fit(&right));
+            let other = &maps[(index + 1) % maps.len()].1;
+            let strange = Face::ALL.map(|face| {
+                let image = right.images[face.index()];
+                let mut mixed = borders.clone();
+                mixed[image.index()] = other[image.index()].clone();
+                outlier::judge(&problem(&mixed, &lookup), &mixed, &right, face)
+            });
+            let least = |of: &dyn Fn(&outlier::Judged) -> f64| strange.iter().map(of).fold(f64::INFINITY, f64::min);
+            let agreement = strange.iter().map(|judged| judged.agreement).fold(f64::NEG_INFINITY, f64::max);
+            println!(
+                "  | {:13.2} {:5.1} {:8.1} {agreement:10.1}",
+                least(&|judged| judged.fit),
+                least(&|judged| judged.step),
+                least(&|judged| judged.pattern)
+            );
+        }
+    }
+}
