@@ -7,6 +7,7 @@ pub mod error;
 pub mod memory;
 
 mod atomic_file;
+mod plain_file;
 mod text_file;
 
 pub mod archive;
@@ -16,3 +17,4 @@ pub mod picture;
 pub use atomic_file::{
     check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent, write_together,
 };
+pub use plain_file::{check_plain, read_plain_file};

@@ -3,7 +3,8 @@
 use std::path::Path;
 
 use super::{Format, Header, PixelLoops, foreign, openexr, still};
-use crate::error::{Error, Result};
+use crate::error::Result;
+use crate::plain_file::read_plain_file;
 
 /// A decoded picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -46,25 +47,16 @@ pub fn read_header(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Resul
 
 /// Reads and decodes a picture file.
 pub fn read(path: &Path, loops: &dyn PixelLoops) -> Result<Decoded> {
-    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let encoded = read_plain_file(path, "a picture file")?;
     decode(&encoded, path, loops)
 }
 
 /// What a picture file says of its picture, without decoding the pixels.
 pub fn read_file_header(path: &Path, loops: &dyn PixelLoops) -> Result<Header> {
-    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let encoded = read_plain_file(path, "a picture file")?;
     read_header(&encoded, path, loops)
 }
 
 fn format_of(encoded: &[u8], name: &Path) -> Result<Format> {
     Format::of_content(encoded, name).ok_or_else(|| foreign::not_a_picture(encoded).in_file(name))
-}
-
-fn unreadable(path: &Path, error: &std::io::Error) -> Error {
-    let error = match error.kind() {
-        std::io::ErrorKind::NotFound => Error::new("there is no such file"),
-        std::io::ErrorKind::IsADirectory => Error::new("this is a folder").expected("a picture file"),
-        _ => Error::new(format!("cannot read: {error}")),
-    };
-    error.in_file(path)
 }

@@ -6,6 +6,7 @@ use skycube_files::document::{Document, Table};
 
 use super::aggregate::Aggregate;
 use super::material::TextureStore;
+use super::mesh_materials::MtlColours;
 use super::settings::{IntegratorSettings, OutputSettings};
 use super::shape::ShapeReader;
 use super::{camera, environment, light, material};
@@ -36,6 +37,8 @@ pub struct Scene {
     pub shapes: Aggregate,
     /// Every file the scene was read from: none of them may be written to.
     pub sources: Vec<PathBuf>,
+    /// What of the files was left out or read with goodwill.
+    pub notes: Vec<String>,
 }
 
 impl Scene {
@@ -68,6 +71,7 @@ impl Scene {
             lights: Vec::new(),
             shapes: Aggregate::new(Vec::new()),
             sources: Vec::new(),
+            notes: Vec::new(),
         }
     }
 
@@ -112,6 +116,7 @@ impl Scene {
             lights,
             shapes: build(placed.primitives),
             sources,
+            notes: placed.notes,
         })
     }
 }
@@ -121,15 +126,17 @@ struct PlacedShapes {
     primitives: Vec<Primitive>,
     materials: Vec<Material>,
     material_names: Vec<String>,
-    /// Meshes and textures.
+    /// Meshes, their MTL files and textures.
     files: Vec<PathBuf>,
+    notes: Vec<String>,
 }
 
 impl PlacedShapes {
     /// Reads the tables `materials` and `shapes`.
     fn read(root: &mut Table) -> Result<Self> {
         let mut textures = TextureStore::default();
-        let mut shapes = ShapeReader::new(&mut textures);
+        let colours = root.optional("mtl_colours").map(|value| value.choice(&MtlColours::CHOICES)).transpose()?;
+        let mut shapes = ShapeReader::new(&mut textures, colours.unwrap_or_default());
         if let Some(table) = root.optional("materials") {
             for (name, value) in table.table()?.take_all() {
                 let material = material::read(value.table()?, shapes.textures)?;
@@ -147,9 +154,9 @@ impl PlacedShapes {
             let needed = |number: u32| materials[number as usize].needs_texture_coordinates();
             primitive.textured = primitive.material.numbers().iter().any(|&number| needed(number));
         }
-        let mut files: Vec<_> = shapes.meshes.keys().cloned().collect();
+        let (mut files, notes) = (std::mem::take(&mut shapes.files), std::mem::take(&mut shapes.notes));
         files.extend(textures.files().cloned());
-        Ok(Self { primitives, materials, material_names, files })
+        Ok(Self { primitives, materials, material_names, files, notes })
     }
 }
 
