@@ -19,11 +19,18 @@ mod shots;
 mod stress;
 mod trace;
 
+use std::borrow::Cow;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
+use std::sync::OnceLock;
 
 use clap::{Parser, Subcommand};
 
-use crate::error::Result;
+use skycube_tracer::error::printable;
+use skycube_tracer::memory::set_memory_budget;
+use skycube_tracer::take_notes;
+
+use crate::error::{Error, Result};
 
 /// How a command ended, for the shell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,6 +50,9 @@ pub enum Outcome {
 struct CommandLine {
     #[command(subcommand)]
     command: Command,
+    /// The most memory to take, such as 4G or 500M [default: three quarters of what is free]
+    #[arg(long, global = true, value_name = "BYTES", value_parser = options::parse_bytes)]
+    memory: Option<u64>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -77,7 +87,21 @@ enum Command {
 
 /// Runs the command line of this process.
 pub fn run() -> ExitCode {
-    let result = match CommandLine::parse().command {
+    let arguments = CommandLine::parse();
+    if let Some(bytes) = arguments.memory {
+        set_memory_budget(bytes);
+    }
+    let result = catch_unwind(AssertUnwindSafe(|| command(arguments.command)));
+    for note in take_notes() {
+        remark(format_args!("note: {}\n", printable(&note)));
+    }
+    exit_code(result.unwrap_or_else(|_| Err(Error::new("this is a fault of skycube, not of yours").help(REPORT))))
+}
+
+const REPORT: &str = "what went wrong stands above; please report it together with the files";
+
+fn command(command: Command) -> Result<Outcome> {
+    match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
@@ -91,14 +115,33 @@ pub fn run() -> ExitCode {
         Command::Stress(arguments) => stress::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
-    };
-    exit_code(result)
+    }
 }
 
-/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is no fault of ours.
+/// What was to be printed and could not be.
+static LOST_OUTPUT: OnceLock<std::io::Error> = OnceLock::new();
+
+/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is no fault of ours; what is lost otherwise, on a full
+/// disk, makes the command fail in the end.
 fn print(text: impl std::fmt::Display) {
     use std::io::Write;
-    let _ = write!(std::io::stdout().lock(), "{text}");
+    let text = text.to_string();
+    let clean = text.split_inclusive('\n').map(printable_line).collect::<String>();
+    let mut stdout = std::io::stdout().lock();
+    if let Err(error) = stdout.write_all(clean.as_bytes()).and_then(|()| stdout.flush())
+        && error.kind() != std::io::ErrorKind::BrokenPipe
+    {
+        let _ = LOST_OUTPUT.set(error);
+    }
+}
+
+/// A line without control characters, which names of files may hold.
+fn printable_line(line: &str) -> Cow<'_, str> {
+    let harmful = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t');
+    if !line.contains(harmful) {
+        return Cow::Borrowed(line);
+    }
+    Cow::Owned(line.replace(harmful, "\u{fffd}"))
 }
 
 /// Writes to standard error; that nobody reads it is no error.
@@ -108,6 +151,10 @@ fn remark(text: impl std::fmt::Display) {
 }
 
 fn exit_code(result: Result<Outcome>) -> ExitCode {
+    if let Some(error) = LOST_OUTPUT.get() {
+        remark(format_args!("error: the report is lost: cannot write to standard output: {error}\n"));
+        return ExitCode::from(2);
+    }
     match result {
         Ok(Outcome::Clean) => ExitCode::SUCCESS,
         Ok(Outcome::Faults) => ExitCode::from(1),

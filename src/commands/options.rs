@@ -13,6 +13,7 @@ use crate::error::{Error, Result};
 use crate::picture::{PngDepth, WriteOptions};
 use crate::sampling::{PixelFilter, SamplerKind};
 use crate::scene::{Caustics, IntegratorKind, OutputSettings, Scene, Strategy};
+use skycube_tracer::memory::check_memory;
 
 /// What the command line may say instead of the scene file.
 #[derive(Debug, Args)]
@@ -151,6 +152,22 @@ pub fn parse_duration(text: &str) -> std::result::Result<Duration, String> {
     time.map(Duration::from_secs_f64).ok_or_else(|| "expected a time such as 500ms, 10s, 2m or 1h".to_owned())
 }
 
+/// A count of bytes with its unit.
+pub fn parse_bytes(text: &str) -> std::result::Result<u64, String> {
+    let digits = text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
+    let unit = match text[digits.len()..].to_ascii_uppercase().as_str() {
+        "" | "B" => 0,
+        "K" | "KB" | "KIB" => 10,
+        "M" | "MB" | "MIB" => 20,
+        "G" | "GB" | "GIB" => 30,
+        "T" | "TB" | "TIB" => 40,
+        _ => 64,
+    };
+    let number: Option<f64> = digits.parse().ok().filter(|number: &f64| *number > 0.0 && unit < 64);
+    let bytes = number.map(|number| number * 2f64.powi(unit)).filter(|bytes| (1.0..1e18).contains(bytes));
+    bytes.map(|bytes| bytes as u64).ok_or_else(|| "expected a size such as 500M or 4G".to_owned())
+}
+
 /// Three numbers between commas, and nothing else.
 pub fn parse_three<Number: FromStr>(text: &str) -> Option<[Number; 3]> {
     let numbers: Option<Vec<Number>> = text.split(',').map(|number| number.trim().parse().ok()).collect();
@@ -220,10 +237,14 @@ pub fn check_drawing_name(path: &Path) -> Result<()> {
 /// The most pixels a picture may have: what is computed is held in memory as floats.
 const MOST_PIXELS: usize = 1 << 28;
 
-/// An error if a picture would not fit into sensible memory.
+/// Bytes that a pixel takes while it is computed, displayed and encoded.
+const BYTES_A_PIXEL: u64 = 64;
+
+/// An error if a picture would not fit into memory.
 pub fn check_pixel_count([width, height]: [usize; 2]) -> Result<()> {
     if width.saturating_mul(height) <= MOST_PIXELS {
-        return Ok(());
+        let bytes = (width * height) as u64 * BYTES_A_PIXEL;
+        return check_memory(bytes, format_args!("a picture of {width} x {height} pixels"));
     }
     Err(Error::new(format!("{width} x {height} pixels are too many")).expected(format!("at most {MOST_PIXELS} pixels")))
 }

@@ -2,8 +2,10 @@
 
 use std::path::Path;
 
-use super::{Format, Header, PixelLoops, foreign, openexr, still};
+use super::guard::guarded;
+use super::{ColourSpace, Format, Header, PixelLoops, foreign, netpbm, openexr, still};
 use crate::error::Result;
+use crate::notes::note;
 use crate::plain_file::read_plain_file;
 
 /// A decoded picture.
@@ -11,6 +13,17 @@ use crate::plain_file::read_plain_file;
 pub struct Decoded {
     pub header: Header,
     pub samples: Samples,
+    /// How the samples become light, if not in the usual way: bytes and words by the sRGB curve, floats as they are.
+    pub space: Option<ColourSpace>,
+    /// What the file says and nobody heeds.
+    pub notes: Vec<String>,
+}
+
+impl Decoded {
+    /// Samples in the usual colour space.
+    pub(super) fn plain(header: Header, samples: Samples) -> Self {
+        Self { header, samples, space: None, notes: Vec::new() }
+    }
 }
 
 /// Samples row by row from the top left, as the file holds them, after the count of channels: grey, grey and alpha, RGB,
@@ -29,19 +42,27 @@ pub enum Samples {
 ///
 /// The format is found from the content, so a PNG named `.jpg` is read. Never spawns or waits for threads.
 pub fn decode(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Decoded> {
-    let picture = match format_of(encoded, name)? {
+    let format = format_of(encoded, name)?;
+    let header = read_header(encoded, name, loops)?;
+    let _claim = header.claim().map_err(|error| error.in_file(name))?;
+    let picture = guarded(|| match format {
         Format::Exr => openexr::decode(encoded, loops),
+        Format::Ppm | Format::Pfm => netpbm::decode(encoded),
         format => still::decode(encoded, format, loops),
-    };
-    picture.map_err(|error| error.in_file(name))
+    });
+    picture
+        .inspect(|picture| picture.notes.iter().for_each(|text| note(name, text)))
+        .map_err(|error| error.in_file(name))
 }
 
 /// What the file says of its picture, without decoding the pixels.
 pub fn read_header(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Header> {
-    let header = match format_of(encoded, name)? {
+    let format = format_of(encoded, name)?;
+    let header = guarded(|| match format {
         Format::Exr => openexr::read_header(encoded),
+        Format::Ppm | Format::Pfm => netpbm::read_header(encoded),
         format => still::read_header(encoded, format, loops),
-    };
+    });
     header.map_err(|error| error.in_file(name))
 }
 

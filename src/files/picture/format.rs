@@ -2,6 +2,8 @@
 
 use std::path::Path;
 
+use super::netpbm;
+
 /// The file formats that are read.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize)]
 #[serde(rename_all = "lowercase")]
@@ -14,6 +16,8 @@ pub enum Format {
     Tiff,
     Hdr,
     Exr,
+    Ppm,
+    Pfm,
 }
 
 /// The first bytes that tell a format. TGA has none.
@@ -42,6 +46,8 @@ impl Format {
             Format::Tiff => "TIFF",
             Format::Hdr => "HDR",
             Format::Exr => "OpenEXR",
+            Format::Ppm => "PPM",
+            Format::Pfm => "PFM",
         }
     }
 
@@ -56,6 +62,8 @@ impl Format {
             Format::Tiff => "tif",
             Format::Hdr => "hdr",
             Format::Exr => "exr",
+            Format::Ppm => "ppm",
+            Format::Pfm => "pfm",
         }
     }
 
@@ -71,6 +79,8 @@ impl Format {
             "tif" | "tiff" => Format::Tiff,
             "hdr" | "rgbe" => Format::Hdr,
             "exr" => Format::Exr,
+            "ppm" | "pgm" | "pbm" | "pnm" => Format::Ppm,
+            "pfm" => Format::Pfm,
             _ => return None,
         })
     }
@@ -83,6 +93,9 @@ impl Format {
         }
         if encoded.starts_with(b"RIFF") && encoded.get(8..12) == Some(b"WEBP") {
             return Some(Format::WebP);
+        }
+        if netpbm::is_netpbm(encoded) {
+            return Some(if encoded[1].is_ascii_digit() { Format::Ppm } else { Format::Pfm });
         }
         let named_tga = Self::of_extension(name) == Some(Format::Tga);
         let header_fits = is_plausible_tga(encoded);

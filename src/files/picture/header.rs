@@ -2,6 +2,7 @@
 
 use super::Format;
 use crate::error::{Error, Result};
+use crate::memory::{Claim, claim_memory};
 
 /// The most memory the texels of one picture may take. It holds a 16384 by 8192 panorama in floats and stops a damaged
 /// or hostile header before it exhausts the machine.
@@ -17,6 +18,18 @@ pub struct Header {
     pub bit_depth: u8,
     /// True if the file has an alpha channel. Its colours are read as they stand; the alpha is not applied.
     pub alpha: bool,
+}
+
+impl Header {
+    /// Claims the memory for decoding the picture: its samples as they are decoded, and as they are kept. A JPEG picture may hold
+    /// the coefficients of all its blocks as well.
+    pub(super) fn claim(&self) -> Result<Claim> {
+        let eight_bits = self.bit_depth <= 8 && !matches!(self.format, Format::Hdr | Format::Exr);
+        let coefficients = if self.format == Format::Jpeg { 3 * size_of::<i16>() as u64 } else { 0 };
+        let texel = if eight_bits { 4 + 3 } else { 2 * 3 * size_of::<f32>() as u64 };
+        let texels = self.width as u64 * self.height as u64;
+        claim_memory(texels * (texel + coefficients), format_args!("the picture ({} x {})", self.width, self.height))
+    }
 }
 
 /// An error if a picture of this size is empty or would take more memory than is sensible.

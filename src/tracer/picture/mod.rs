@@ -5,6 +5,7 @@ mod decode;
 mod deferred;
 mod display;
 mod encode;
+mod jpeg_data;
 mod lay;
 mod pixel_loops;
 mod raster;

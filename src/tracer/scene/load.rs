@@ -1,5 +1,6 @@
 //! From the TOML text to the scene.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use skycube_files::document::{Document, Table};
@@ -137,19 +138,23 @@ impl PlacedShapes {
         let mut textures = TextureStore::default();
         let colours = root.optional("mtl_colours").map(|value| value.choice(&MtlColours::CHOICES)).transpose()?;
         let mut shapes = ShapeReader::new(&mut textures, colours.unwrap_or_default());
-        if let Some(table) = root.optional("materials") {
-            for (name, value) in table.table()?.take_all() {
-                let material = material::read(value.table()?, shapes.textures)?;
-                shapes.add_material(name, material);
-            }
-        }
+        let described = root.optional("materials").map_or(Ok(Vec::new()), |table| Ok(table.table()?.take_all()))?;
+        described.iter().for_each(|(name, _)| shapes.add_material(name.clone()));
         let mut primitives = Vec::new();
         for table in tables(root, "shapes")? {
             primitives.push(shapes.read(table)?);
         }
+        // What a shape shows decides which tables are needed.
+        let numbers = primitives.iter().flat_map(|primitive: &Primitive| primitive.material.numbers());
+        let shown: BTreeSet<u32> = numbers.copied().collect();
+        for (number, (_, value)) in (0..).zip(&described) {
+            let material = material::read(value.table()?, shapes.textures, shown.contains(&number))?;
+            shapes.materials[number as usize] = material;
+        }
+        shapes.check_glass();
         let material_names = shapes.names_of_materials();
         let mut materials = std::mem::take(&mut shapes.materials);
-        material::prepare_for_each_other(&mut materials);
+        material::prepare_for_each_other(&mut materials, &shown);
         for primitive in &mut primitives {
             let needed = |number: u32| materials[number as usize].needs_texture_coordinates();
             primitive.textured = primitive.material.numbers().iter().any(|&number| needed(number));

@@ -1,7 +1,7 @@
 //! The tables `[[shapes]]`.
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use skycube_files::document::{Table, Value};
@@ -28,6 +28,8 @@ pub(super) struct ShapeReader<'a> {
     /// The scene's numbers of the materials of a mesh file.
     mesh_materials: BTreeMap<(PathBuf, MtlColours), Arc<[u32]>>,
     material_names: BTreeMap<String, u32>,
+    /// The meshes of the scene and what they are made of.
+    shown: Vec<(PathBuf, MaterialChoice)>,
 }
 
 impl<'a> ShapeReader<'a> {
@@ -41,13 +43,14 @@ impl<'a> ShapeReader<'a> {
             meshes: BTreeMap::new(),
             mesh_materials: BTreeMap::new(),
             material_names: BTreeMap::new(),
+            shown: Vec::new(),
         }
     }
 
-    /// Makes a material known under its name.
-    pub(super) fn add_material(&mut self, name: String, material: Material) {
+    /// Makes a material known under its name; what it is follows once all shapes are read.
+    pub(super) fn add_material(&mut self, name: String) {
         self.material_names.insert(name, self.materials.len() as u32);
-        self.materials.push(material);
+        self.materials.push(Material::Normals);
     }
 
     /// The name of each material, in the order of their numbers.
@@ -103,7 +106,7 @@ impl<'a> ShapeReader<'a> {
         let casts_shadow = table.optional("casts_shadow").map_or(Ok(true), |value| value.boolean())?;
         table.finish()?;
         if let Some(file) = mesh_file {
-            self.check_glass(&file.path()?, &material);
+            self.shown.push((file.path()?, material.clone()));
         }
         Ok(Primitive::new(geometry, transform, material, casts_shadow))
     }
@@ -158,21 +161,20 @@ impl<'a> ShapeReader<'a> {
         Ok(MaterialChoice::PerGroup(numbers))
     }
 
-    /// A note on glass whose inside cannot be told from its outside.
-    fn check_glass(&mut self, path: &Path, material: &MaterialChoice) {
-        let numbers = material.numbers();
-        let is_glass =
-            |group: u32| self.materials[numbers[(group as usize).min(numbers.len() - 1)] as usize].transmits();
-        if !(0..numbers.len() as u32).any(is_glass) {
-            return;
-        }
-        let outside = self.meshes[path].mesh.geometry().outside_of(is_glass);
-        if let Some(problem) = outside.problem() {
-            let note = format!("{}: glass on a mesh {problem}", path.display());
-            if !self.notes.contains(&note) {
-                self.notes.push(note);
+    /// Notes on glass whose inside cannot be told from its outside.
+    pub(super) fn check_glass(&mut self) {
+        let mut notes = BTreeSet::new();
+        for (path, material) in &self.shown {
+            let numbers = material.numbers();
+            let is_glass =
+                |group: u32| self.materials[numbers[(group as usize).min(numbers.len() - 1)] as usize].transmits();
+            if (0..numbers.len() as u32).any(is_glass)
+                && let Some(problem) = self.meshes[path].mesh.geometry().outside_of(is_glass).problem()
+            {
+                notes.insert(format!("{}: glass on a mesh {problem}", path.display()));
             }
         }
+        self.notes.extend(notes);
     }
 }
 

@@ -202,7 +202,7 @@ impl Reader {
         if count >= 6 {
             self.odd(line, "colours of vertices are not used")?;
         }
-        if !(position.abs().max_element() <= LARGEST_COORDINATE) {
+        if position.is_nan() || position.abs().max_element() > LARGEST_COORDINATE {
             return Err(Error::new(format!("found \"{}\"", shortened(rest)))
                 .expected(format!("3 finite numbers of at most {LARGEST_COORDINATE:e}")));
         }
