@@ -28,6 +28,7 @@ struct Message {
     key: Option<String>,
     expected: Option<String>,
     help: Option<String>,
+    damaged: bool,
 }
 
 impl Error {
@@ -40,6 +41,7 @@ impl Error {
             key: None,
             expected: None,
             help: None,
+            damaged: false,
         }))
     }
 
@@ -71,6 +73,17 @@ impl Error {
     pub fn help(mut self, help: impl Into<String>) -> Self {
         self.0.help.get_or_insert_with(|| help.into());
         self
+    }
+
+    /// Says that the file itself is at fault: it is damaged or incomplete.
+    pub fn of_damage(mut self) -> Self {
+        self.0.damaged = true;
+        self
+    }
+
+    /// True if the file itself is at fault.
+    pub fn is_damage(&self) -> bool {
+        self.0.damaged
     }
 
     /// What is wrong, without place or advice.

@@ -28,7 +28,8 @@ pub fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     GUARDED.set(before);
     result.unwrap_or_else(|_| {
         Err(Error::new("this file cannot be decoded: it is of a kind that the decoder does not know, or damaged")
-            .help("save it anew as PNG with an image editor, or download it again"))
+            .help("save it anew as PNG with an image editor, or download it again")
+            .of_damage())
     })
 }
 

@@ -50,4 +50,5 @@ pub(super) fn check_size(width: usize, height: usize, bytes_per_texel: usize) ->
 pub(super) fn damaged(format: Format, detail: impl std::fmt::Display) -> Error {
     Error::new(format!("this {} picture cannot be decoded: {detail}", format.name()))
         .help("the file is damaged, incomplete or of an unsupported kind; download it again or save it anew as PNG")
+        .of_damage()
 }
