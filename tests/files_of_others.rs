@@ -155,7 +155,7 @@ fn more_memory_than_allowed_is_refused_before_it_is_taken() {
 fn strips_are_compared() {
     let folder = tempfile::tempdir().unwrap();
     let strip = |offset: usize| {
-        let pixels = (0..3 * 200).flat_map(|index| [(index % 200 + offset) as u8 ^ (index / 200) as u8 * 37; 3]);
+        let pixels = (0..3 * 200).flat_map(|index| [(index % 200 + offset) as u8 ^ ((index / 200) as u8 * 37); 3]);
         [b"P6 200 3 255\n".to_vec(), pixels.collect()].concat()
     };
     std::fs::write(folder.path().join("mine.ppm"), strip(9)).unwrap();

@@ -87,9 +87,12 @@ impl SettingOverrides {
 
     /// The threads to render on.
     pub fn thread_pool(&self) -> Result<rayon::ThreadPool> {
-        rayon::ThreadPoolBuilder::new()
+        let builder = || rayon::ThreadPoolBuilder::new();
+        // Where the system starts no threads, the calling one does the work.
+        builder()
             .num_threads(self.threads.unwrap_or(0) as usize)
             .build()
+            .or_else(|_| builder().num_threads(1).use_current_thread().build())
             .map_err(|error| Error::new(format!("cannot start threads: {error}")))
     }
 }

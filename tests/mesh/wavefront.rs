@@ -214,9 +214,9 @@ fn names_the_line_that_is_wrong() {
     o.obj:4: found "1 2"
       expected: 3 finite numbers
     "#);
-    insta::assert_snapshot!(face("usemtl red"), @r#"
+    insta::assert_snapshot!(face("usemtl red\nf 1 2 3"), @r#"
     o.obj:4: no material "red"
-      expected: a `mtllib` line before it that names a file with this material
+      expected: a `mtllib` line that names a file with this material
       help: put the MTL file where the OBJ file's `mtllib` line says, or give the shape a `material` of the scene
     "#);
     insta::assert_snapshot!(face(""), @r#"
