@@ -44,7 +44,7 @@ pub enum Samples {
 pub fn decode(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Decoded> {
     let format = format_of(encoded, name)?;
     let header = read_header(encoded, name, loops)?;
-    let _claim = header.claim().map_err(|error| error.in_file(name))?;
+    let _claim = header.claim(encoded).map_err(|error| error.in_file(name))?;
     let picture = guarded(|| match format {
         Format::Exr => openexr::decode(encoded, loops),
         Format::Ppm | Format::Pfm => netpbm::decode(encoded),

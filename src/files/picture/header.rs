@@ -1,6 +1,6 @@
 //! What a file says of its picture before any pixel is decoded.
 
-use super::Format;
+use super::{Format, jpeg_extent};
 use crate::error::{Error, Result};
 use crate::memory::{Claim, claim_memory};
 
@@ -21,14 +21,18 @@ pub struct Header {
 }
 
 impl Header {
-    /// Claims the memory for decoding the picture: its samples as they are decoded, and as they are kept. A JPEG picture may hold
-    /// the coefficients of all its blocks as well.
-    pub(super) fn claim(&self) -> Result<Claim> {
-        let eight_bits = self.bit_depth <= 8 && !matches!(self.format, Format::Hdr | Format::Exr);
-        let coefficients = if self.format == Format::Jpeg { 3 * size_of::<i16>() as u64 } else { 0 };
-        let texel = if eight_bits { 4 + 3 } else { 2 * 3 * size_of::<f32>() as u64 };
-        let texels = self.width as u64 * self.height as u64;
-        claim_memory(texels * (texel + coefficients), format_args!("the picture ({} x {})", self.width, self.height))
+    /// Claims the memory for decoding the picture: its samples as they are decoded, beside them as they are kept where they have to be
+    /// converted, and the coefficients of all blocks of a progressive JPEG picture.
+    pub(super) fn claim(&self, encoded: &[u8]) -> Result<Claim> {
+        let texel = match self.format {
+            Format::Jpeg if jpeg_extent::is_progressive(encoded) => 3 + 3 * size_of::<i16>(),
+            Format::Hdr | Format::Exr | Format::Pfm => 2 * 3 * size_of::<f32>(),
+            _ if self.bit_depth > 8 => 4 * size_of::<u16>() + 3 * size_of::<f32>(),
+            _ if self.alpha => 4 + 3,
+            _ => 3,
+        };
+        let bytes = self.width as u64 * self.height as u64 * texel as u64;
+        claim_memory(bytes, format_args!("the picture ({} x {})", self.width, self.height))
     }
 }
 
