@@ -48,7 +48,7 @@ fn unknown_keys_are_refused_with_the_known_ones() {
     ");
     insta::assert_snapshot!(error("[enviroment]\nkind = \"constant\"\n"), @r"
     scene.toml:4: enviroment: unknown key
-      expected: one of camera, environment, integrator, lights, materials, output, shapes
+      expected: one of camera, environment, integrator, lights, materials, mtl_colours, output, shapes
     ");
 }
 

@@ -48,7 +48,9 @@ pub struct BakeArguments {
 
 /// Bakes, writes, and says where.
 pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
-    let scene = arguments.overrides.read_scene(&arguments.scene)?;
+    let mut scene = arguments.overrides.read_scene(&arguments.scene)?;
+    // A preset is no file, and none of its name is refused by mistake: it has no extension.
+    scene.sources.push(PathBuf::from(&arguments.lookup));
     let plan = Plan::new(&scene);
     let lookup = read_lookup(&arguments.lookup)?;
     let position = arguments.position.unwrap_or(scene.camera.position());

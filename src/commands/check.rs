@@ -97,7 +97,18 @@ fn is_map(path: &Path) -> bool {
 }
 
 fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<Outcome> {
-    let check = arguments.validation.check(skybox)?;
+    let check = match arguments.validation.check(skybox) {
+        Ok(check) => check,
+        // A damaged picture is a fault of the map like any other.
+        Err(error) if error.is_damage() => {
+            remark(format_args!("error: {error}\n"));
+            if arguments.json {
+                print(format_args!("{}\n", failed_check_json(&map.display().to_string(), &error)));
+            }
+            return Ok(Outcome::Faults);
+        }
+        Err(error) => return Err(error),
+    };
     let report = CheckReport::new(map.display().to_string(), &check);
     if arguments.json {
         print(format_args!("{}\n", report.to_json()));
@@ -139,6 +150,8 @@ struct Counts {
     broken: usize,
     undecidable: usize,
     failed: usize,
+    /// Of those that failed, how many because a picture is damaged.
+    damaged: usize,
 }
 
 fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome> {
@@ -150,7 +163,7 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
             print(format_args!("{}\n", entries[entries.len() - 1]));
         }
     }
-    let Counts { fits, broken, undecidable, failed } = counts;
+    let Counts { fits, broken, undecidable, failed, damaged } = counts;
     if arguments.json {
         print(format_args!("[\n{}\n]\n", entries.join(",\n")));
     } else {
@@ -159,10 +172,10 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
             "{count}: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked\n"
         ));
     }
-    if failed > 0 {
+    if failed > damaged {
         return Err(Error::new(format!("{failed} of {} could not be checked", counted(maps.len()))));
     }
-    let faults = broken > 0 || (arguments.strict && undecidable > 0);
+    let faults = broken > 0 || damaged > 0 || (arguments.strict && undecidable > 0);
     Ok(if faults { Outcome::Faults } else { Outcome::Clean })
 }
 
@@ -186,6 +199,7 @@ fn check_one_of_several(map: &Path, arguments: &CheckArguments, counts: &mut Cou
         }
         Err(error) => {
             counts.failed += 1;
+            counts.damaged += usize::from(error.is_damage());
             remark(format_args!("error: {error}\n"));
             let problem = error.problem().lines().next().unwrap_or_default();
             if arguments.json {

@@ -16,7 +16,7 @@ use crate::converge::{
     Comparison, Configuration, Protocol, Schedule, Variant, Variation, Watch, Work, converge, variants,
 };
 use crate::error::Result;
-use crate::picture::{check_folder_target, check_target, make_folder, write_atomically};
+use crate::picture::{check_folder_target, check_target, make_folder, write_together};
 use crate::render::Progress;
 use crate::report::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
 use crate::scene::Scene;
@@ -179,15 +179,15 @@ fn refuse(folder: &Path, scenes: &[Subject]) -> Result<()> {
     Ok(())
 }
 
-/// All four are there before the first is written.
+/// All four are there before the first takes its name.
 fn write(report: &ConvergeReport, measure: Measure, folder: &Path) -> Result<()> {
     let (csv, json) = (converge_csv(report), report.to_json() + "\n");
     let chart = draw_convergence(report, measure);
+    let (picture, svg) = (chart.to_drawing().encode()?, chart.to_svg());
     make_folder(folder)?;
-    for (name, text) in [(FILES[0], csv), (FILES[1], json), (FILES[3], chart.to_svg())] {
-        write_atomically(&folder.join(name), text.as_bytes())?;
-    }
-    chart.to_drawing().write(&folder.join(FILES[2]))
+    let paths = FILES.map(|name| folder.join(name));
+    let contents = [csv.as_bytes(), json.as_bytes(), &picture, svg.as_bytes()];
+    write_together(paths.iter().map(PathBuf::as_path).zip(contents))
 }
 
 fn default_folder(scenes: &[PathBuf]) -> PathBuf {

@@ -21,13 +21,18 @@ mod stress;
 mod terminal;
 mod trace;
 
+use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-use crate::error::Result;
+use skycube_tracer::error::printable;
+use skycube_tracer::memory::set_memory_budget;
+use skycube_tracer::take_notes;
+
+use crate::error::{Error, Result};
 pub use terminal::Outcome;
-use terminal::remark;
+use terminal::{lost_output, remark};
 
 /// A small, complete ray tracer for teaching, and a validator that says how to repair a skybox.
 #[derive(Debug, Parser)]
@@ -36,6 +41,9 @@ use terminal::remark;
 struct CommandLine {
     #[command(subcommand)]
     command: Command,
+    /// The most memory to take, such as 4G or 500M [default: three quarters of what is free]
+    #[arg(long, global = true, value_name = "BYTES", value_parser = options::parse_bytes)]
+    memory: Option<u64>,
 }
 
 #[derive(Debug, Subcommand)]
@@ -71,7 +79,25 @@ enum Command {
 
 /// Runs the command line of this process.
 pub fn run() -> ExitCode {
-    let result = match CommandLine::parse().command {
+    let arguments = CommandLine::parse();
+    if let Some(bytes) = arguments.memory {
+        set_memory_budget(bytes);
+    }
+    // Where the system starts no threads, the calling one does the work.
+    if rayon::ThreadPoolBuilder::new().build_global().is_err() {
+        let _ = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
+    }
+    let result = catch_unwind(AssertUnwindSafe(|| command(arguments.command)));
+    for note in take_notes() {
+        remark(format_args!("note: {}\n", printable(&note)));
+    }
+    exit_code(result.unwrap_or_else(|_| Err(Error::new("this is a fault of skycube, not of yours").help(REPORT))))
+}
+
+const REPORT: &str = "what went wrong stands above; please report it together with the files";
+
+fn command(command: Command) -> Result<Outcome> {
+    match command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Bake(arguments) => bake::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
@@ -86,11 +112,14 @@ pub fn run() -> ExitCode {
         Command::Stress(arguments) => stress::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
-    };
-    exit_code(result)
+    }
 }
 
 fn exit_code(result: Result<Outcome>) -> ExitCode {
+    if let Some(error) = lost_output() {
+        remark(format_args!("error: the report is lost: cannot write to standard output: {error}\n"));
+        return ExitCode::from(2);
+    }
     match result {
         Ok(Outcome::Clean) => ExitCode::SUCCESS,
         Ok(Outcome::Faults) => ExitCode::from(1),

@@ -14,6 +14,7 @@ use crate::error::{Error, Result};
 use crate::picture::{PngDepth, WriteOptions};
 use crate::sampling::{PixelFilter, SamplerKind};
 use crate::scene::{Caustics, IntegratorKind, OutputSettings, Scene, Strategy};
+use skycube_tracer::memory::check_memory;
 
 /// What the command line may say instead of the scene file.
 #[derive(Debug, Args)]
@@ -91,9 +92,12 @@ impl SettingOverrides {
 
     /// The threads to render on.
     pub fn thread_pool(&self) -> Result<rayon::ThreadPool> {
-        rayon::ThreadPoolBuilder::new()
+        let builder = || rayon::ThreadPoolBuilder::new();
+        // Where the system starts no threads, the calling one does the work.
+        builder()
             .num_threads(self.threads.unwrap_or(0) as usize)
             .build()
+            .or_else(|_| builder().num_threads(1).use_current_thread().build())
             .map_err(|error| Error::new(format!("cannot start threads: {error}")))
     }
 }
@@ -154,6 +158,22 @@ pub fn parse_duration(text: &str) -> std::result::Result<Duration, String> {
     let number: Option<f64> = digits.trim().parse().ok();
     let time = number.map(|number| number * seconds).filter(|time| (1e-3..=1e7).contains(time));
     time.map(Duration::from_secs_f64).ok_or_else(|| "expected a time such as 500ms, 10s, 2m or 1h".to_owned())
+}
+
+/// A count of bytes with its unit.
+pub fn parse_bytes(text: &str) -> std::result::Result<u64, String> {
+    let digits = text.trim_end_matches(|letter: char| letter.is_ascii_alphabetic());
+    let unit = match text[digits.len()..].to_ascii_uppercase().as_str() {
+        "" | "B" => 0,
+        "K" | "KB" | "KIB" => 10,
+        "M" | "MB" | "MIB" => 20,
+        "G" | "GB" | "GIB" => 30,
+        "T" | "TB" | "TIB" => 40,
+        _ => 64,
+    };
+    let number: Option<f64> = digits.parse().ok().filter(|number: &f64| *number > 0.0 && unit < 64);
+    let bytes = number.map(|number| number * 2f64.powi(unit)).filter(|bytes| (1.0..1e18).contains(bytes));
+    bytes.map(|bytes| bytes as u64).ok_or_else(|| "expected a size such as 500M or 4G".to_owned())
 }
 
 /// Three numbers between commas, and nothing else.
@@ -224,10 +244,14 @@ pub fn check_drawing_name(path: &Path) -> Result<()> {
 /// The most pixels a picture may have: what is computed is held in memory as floats.
 const MOST_PIXELS: usize = 1 << 28;
 
-/// An error if a picture would not fit into sensible memory.
+/// Bytes that a pixel takes while it is computed, displayed and encoded.
+const BYTES_A_PIXEL: u64 = 64;
+
+/// An error if a picture would not fit into memory.
 pub fn check_pixel_count([width, height]: [usize; 2]) -> Result<()> {
     if width.saturating_mul(height) <= MOST_PIXELS {
-        return Ok(());
+        let bytes = (width * height) as u64 * BYTES_A_PIXEL;
+        return check_memory(bytes, format_args!("a picture of {width} x {height} pixels"));
     }
     Err(Error::new(format!("{width} x {height} pixels are too many")).expected(format!("at most {MOST_PIXELS} pixels")))
 }

@@ -55,6 +55,7 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.scene));
     refuse(arguments, &scene, &output)?;
     outside_limits(&scene).iter().for_each(|figure| remark(format_args!("warning: {figure}\n")));
+    scene.notes.iter().for_each(|note| remark(format_args!("note: {note}\n")));
     let loaded = started.elapsed();
     let pool = arguments.overrides.thread_pool()?;
     let rendering = pool.install(|| rendering(arguments, &scene, &plan))?;

@@ -1,5 +1,8 @@
 //! What a command says to the shell.
 
+use std::borrow::Cow;
+use std::sync::OnceLock;
+
 /// How a command ended, for the shell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
@@ -11,10 +14,35 @@ pub enum Outcome {
     Interrupted,
 }
 
-/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is no fault of ours.
+/// What was to be printed and could not be.
+static LOST_OUTPUT: OnceLock<std::io::Error> = OnceLock::new();
+
+/// Why a report was lost; `None` if none was.
+pub(super) fn lost_output() -> Option<&'static std::io::Error> {
+    LOST_OUTPUT.get()
+}
+
+/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is no fault of ours; what is lost otherwise, on a full
+/// disk, makes the command fail in the end.
 pub(super) fn print(text: impl std::fmt::Display) {
     use std::io::Write;
-    let _ = write!(std::io::stdout().lock(), "{text}");
+    let text = text.to_string();
+    let clean = text.split_inclusive('\n').map(printable_line).collect::<String>();
+    let mut stdout = std::io::stdout().lock();
+    if let Err(error) = stdout.write_all(clean.as_bytes()).and_then(|()| stdout.flush())
+        && error.kind() != std::io::ErrorKind::BrokenPipe
+    {
+        let _ = LOST_OUTPUT.set(error);
+    }
+}
+
+/// A line without control characters, which names of files may hold.
+fn printable_line(line: &str) -> Cow<'_, str> {
+    let harmful = |letter: char| letter.is_control() && !matches!(letter, '\n' | '\t');
+    if !line.contains(harmful) {
+        return Cow::Borrowed(line);
+    }
+    Cow::Owned(line.replace(harmful, "\u{fffd}"))
 }
 
 /// Writes to standard error; that nobody reads it is no error.

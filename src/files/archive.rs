@@ -13,6 +13,9 @@ use crate::error::{Error, Result};
 /// The largest face that is unpacked, in bytes: a guard against archives made to fill the memory.
 const LARGEST_ENTRY: u64 = 1 << 30;
 
+/// Bytes of a file's name.
+const LONGEST_NAME: usize = 255;
+
 /// The list of files in an archive.
 pub struct Archive {
     path: Arc<Path>,
@@ -39,7 +42,9 @@ impl Archive {
             let name = decoded.unwrap_or_else(|_| String::from_utf8_lossy(entry.name_raw()).into_owned());
             // Some archivers of Windows write backslashes.
             let name = name.replace('\\', "/");
-            if !name.ends_with('/') {
+            // No file system has longer names: an archive with one is made to fill the terminal.
+            let bounded = name.split('/').all(|part| part.len() <= LONGEST_NAME);
+            if !name.ends_with('/') && bounded {
                 entries.push((name, index));
             }
         }

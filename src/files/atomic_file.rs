@@ -91,6 +91,8 @@ fn temporary_beside(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::Name
     }
     let mut file = builder.tempfile_in(folder_of(path))?;
     file.write_all(bytes)?;
+    // The name must not lead to a file whose content is still on its way when the power fails.
+    file.as_file().sync_data()?;
     Ok(file)
 }
 

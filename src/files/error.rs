@@ -1,5 +1,6 @@
 //! The one error type: what a user reads when the tool cannot run.
 
+use std::borrow::Cow;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
@@ -27,6 +28,7 @@ struct Message {
     key: Option<String>,
     expected: Option<String>,
     help: Option<String>,
+    damaged: bool,
 }
 
 impl Error {
@@ -39,6 +41,7 @@ impl Error {
             key: None,
             expected: None,
             help: None,
+            damaged: false,
         }))
     }
 
@@ -72,17 +75,49 @@ impl Error {
         self
     }
 
+    /// Says that the file itself is at fault: it is damaged or incomplete.
+    pub fn of_damage(mut self) -> Self {
+        self.0.damaged = true;
+        self
+    }
+
+    /// True if the file itself is at fault.
+    pub fn is_damage(&self) -> bool {
+        self.0.damaged
+    }
+
     /// What is wrong, without place or advice.
     pub fn problem(&self) -> &str {
         &self.0.problem
     }
 }
 
+/// A text from a file as a terminal may show it: control characters are written out, and what is longer than a screen is cut.
+pub fn printable(text: &str) -> Cow<'_, str> {
+    const MOST: usize = 2000;
+    let harmless = |letter: char| !letter.is_control() || matches!(letter, '\n' | '\t');
+    if text.len() <= MOST && text.chars().all(harmless) {
+        return Cow::Borrowed(text);
+    }
+    let mut shown = String::new();
+    for letter in text.chars() {
+        if shown.len() > MOST {
+            shown.push_str("...");
+            break;
+        }
+        if harmless(letter) { shown.push(letter) } else { shown.extend(letter.escape_default()) }
+    }
+    Cow::Owned(shown)
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Message { problem, file, line, key, expected, help } = self.0.as_ref();
-        if let Some(file) = file {
-            write!(formatter, "{}:", file.display())?;
+        let message = self.0.as_ref();
+        let cleaned = |text: &Option<String>| text.as_ref().map(|text| printable(text).into_owned());
+        let (problem, line) = (printable(&message.problem), message.line);
+        let (key, expected, help) = (cleaned(&message.key), cleaned(&message.expected), cleaned(&message.help));
+        if let Some(file) = &message.file {
+            write!(formatter, "{}:", printable(&file.to_string_lossy()))?;
             if let Some(line) = line {
                 write!(formatter, "{line}:")?;
             }
@@ -121,6 +156,14 @@ mod tests {
           expected: a number of at least 1
           help: 1.5 is common window glass
         "#);
+    }
+
+    #[test]
+    fn no_text_of_a_file_commands_the_terminal() {
+        let error = Error::new(format!("found \x1b[31m{}", "x".repeat(5000))).in_file("a\x07b");
+        let text = error.to_string();
+        assert!(text.starts_with("a\\u{7}b: found \\u{1b}[31mxxx") && text.ends_with("..."), "{text}");
+        assert!(text.len() < 2100);
     }
 
     #[test]

@@ -5,8 +5,11 @@
 
 pub mod error;
 pub mod memory;
+mod memory_budget;
 
 mod atomic_file;
+mod notes;
+mod plain_file;
 mod text_file;
 
 pub mod archive;
@@ -17,3 +20,5 @@ pub mod picture;
 pub use atomic_file::{
     check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent, write_together,
 };
+pub use notes::{note, take_notes};
+pub use plain_file::{check_plain, read_plain_file};

@@ -9,6 +9,8 @@
 //!     2 MB     ::  |--------|--------|--------|  ::    one address each; what is left over keeps small pages
 //! ```
 
+pub use crate::memory_budget::{Claim, check_memory, claim_memory, set_memory_budget};
+
 /// Size of a large page, of most processors.
 const LARGE_PAGE: usize = 2 << 20;
 

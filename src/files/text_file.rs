@@ -5,15 +5,20 @@ use std::path::{Path, PathBuf};
 
 use crate::atomic_file::folder_of;
 use crate::error::{Error, Result};
+use crate::plain_file::check_plain;
+
+const EXPECTED: &str = "a TOML file";
 
 /// The text of a TOML file.
 pub fn read_text(file: &Path) -> Result<String> {
+    if file.exists() {
+        check_plain(file, EXPECTED).map_err(|error| error.in_file(file))?;
+    }
     std::fs::read_to_string(file).map_err(|error| unreadable(file, &error))
 }
 
 /// Why a file cannot be read, and which was probably meant.
 fn unreadable(file: &Path, error: &std::io::Error) -> Error {
-    const EXPECTED: &str = "a TOML file";
     let error = match error.kind() {
         ErrorKind::NotFound => {
             let missing = Error::new("there is no such file");
@@ -22,7 +27,6 @@ fn unreadable(file: &Path, error: &std::io::Error) -> Error {
                 None => missing,
             }
         }
-        ErrorKind::IsADirectory => Error::new("this is a folder").expected(EXPECTED),
         ErrorKind::InvalidData => Error::new("this is no text, but perhaps a picture").expected(EXPECTED),
         _ => Error::new(format!("cannot read the file: {error}")),
     };

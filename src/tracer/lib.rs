@@ -2,7 +2,7 @@
 //!
 //! Read the modules in this order; none knows those below it.
 
-pub use skycube_files::{choice, error, memory};
+pub use skycube_files::{choice, error, memory, take_notes};
 
 pub mod parallel;
 

@@ -45,7 +45,9 @@ fn refined(mine: &Plane, expected: &Plane, start: [f64; 2], reach: f64) -> Optio
             break;
         }
     }
-    let far = |axis: usize| (shift[axis] - start[axis]).abs() > reach;
+    let size = [expected.width(), expected.height()];
+    // Half of the picture is left to compare.
+    let far = |axis: usize| (shift[axis] - start[axis]).abs() > reach || 2.0 * shift[axis].abs() > size[axis] as f64;
     if far(0) || far(1) { None } else { Some(shift) }
 }
 
@@ -74,14 +76,14 @@ fn step(mine: &Plane, expected: &Plane, shift: [f64; 2]) -> Option<[f64; 2]> {
     Some(step.map(|step| step.clamp(-2.0, 2.0)))
 }
 
-/// The mean absolute difference of mine, shifted back, and the expected plane.
+/// The mean absolute difference of mine, shifted back, and the expected plane; without limit where they do not overlap.
 fn difference(mine: &Plane, expected: &Plane, shift: [f64; 2]) -> f64 {
     let (mut sum, mut count) = (0.0, 0usize);
     each_pixel(mine, expected, shift, |_, _, error| {
         sum += f64::from(error.abs());
         count += 1;
     });
-    sum / count.max(1) as f64
+    if count == 0 { f64::INFINITY } else { sum / count as f64 }
 }
 
 /// Calls with column, row and `mine(p + shift) - expected(p)`, one pixel off the border and where mine is.
@@ -187,6 +189,19 @@ mod tests {
             }
         }
         assert_eq!(estimated(&scene([0.0; 2]), &scene([0.0; 2]), [0.0; 2], 4.0), None);
+    }
+
+    #[test]
+    fn strips_are_no_further_apart_than_they_are_high() {
+        let strip = |offset: f64, height: usize| {
+            let value = |index: usize| (((index % 120) as f64 + offset) / 5.0).sin() as f32 * 0.2 + 0.5;
+            Plane::new(120, height, (0..120 * height).map(value).collect())
+        };
+        for height in [1, 2, 3, 5] {
+            let found = estimated(&strip(2.0, height), &strip(0.0, height), [0.0, 4.0], 4.0);
+            assert!(found.is_none_or(|shift| 2.0 * shift[1].abs() <= height as f64), "{found:?}");
+        }
+        assert_eq!(difference(&strip(0.0, 3), &strip(0.0, 3), [0.0, 7.0]), f64::INFINITY);
     }
 
     #[test]

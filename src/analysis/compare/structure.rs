@@ -142,11 +142,13 @@ pub(super) fn detail(codes: &Raster) -> Plane {
     smooth.zip(&background, |value, slow| value - slow)
 }
 
-/// The shift within `reach` of `start` under which the planes correlate best.
+/// The shift within `reach` of `start` under which the planes correlate best; along the short side of a strip within a third
+/// of it, so that the planes always overlap.
 fn best_shift(mine: &Plane, expected: &Plane, start: [i32; 2], reach: i32) -> (f64, [i32; 2]) {
-    let offsets = || -reach..=reach;
+    let offsets = |length: usize| -reach.min(length as i32 / 3)..=reach.min(length as i32 / 3);
+    let (columns, rows) = (offsets(expected.width()), offsets(expected.height()));
     let mut best = (correlation(mine, expected, start), start);
-    for (y, x) in offsets().flat_map(|y| offsets().map(move |x| (y, x))) {
+    for (y, x) in rows.flat_map(|y| columns.clone().map(move |x| (y, x))) {
         let shift = [start[0] + x, start[1] + y];
         let found = correlation(mine, expected, shift);
         if found > best.0 + 1e-6 {

@@ -2,14 +2,28 @@
 
 use std::path::Path;
 
-use super::{Format, Header, PixelLoops, foreign, openexr, still};
-use crate::error::{Error, Result};
+use super::guard::guarded;
+use super::{ColourSpace, Format, Header, PixelLoops, foreign, netpbm, openexr, still};
+use crate::error::Result;
+use crate::notes::note;
+use crate::plain_file::read_plain_file;
 
 /// A decoded picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decoded {
     pub header: Header,
     pub samples: Samples,
+    /// How the samples become light, if not in the usual way: bytes and words by the sRGB curve, floats as they are.
+    pub space: Option<ColourSpace>,
+    /// What the file says and nobody heeds.
+    pub notes: Vec<String>,
+}
+
+impl Decoded {
+    /// Samples in the usual colour space.
+    pub(super) fn plain(header: Header, samples: Samples) -> Self {
+        Self { header, samples, space: None, notes: Vec::new() }
+    }
 }
 
 /// Samples row by row from the top left, as the file holds them, after the count of channels: grey, grey and alpha, RGB,
@@ -28,43 +42,42 @@ pub enum Samples {
 ///
 /// The format is found from the content, so a PNG named `.jpg` is read. Never spawns or waits for threads.
 pub fn decode(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Decoded> {
-    let picture = match format_of(encoded, name)? {
+    let format = format_of(encoded, name)?;
+    let header = read_header(encoded, name, loops)?;
+    let _claim = header.claim(encoded).map_err(|error| error.in_file(name))?;
+    let picture = guarded(|| match format {
         Format::Exr => openexr::decode(encoded, loops),
+        Format::Ppm | Format::Pfm => netpbm::decode(encoded),
         format => still::decode(encoded, format, loops),
-    };
-    picture.map_err(|error| error.in_file(name))
+    });
+    picture
+        .inspect(|picture| picture.notes.iter().for_each(|text| note(name, text)))
+        .map_err(|error| error.in_file(name))
 }
 
 /// What the file says of its picture, without decoding the pixels.
 pub fn read_header(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Header> {
-    let header = match format_of(encoded, name)? {
+    let format = format_of(encoded, name)?;
+    let header = guarded(|| match format {
         Format::Exr => openexr::read_header(encoded),
+        Format::Ppm | Format::Pfm => netpbm::read_header(encoded),
         format => still::read_header(encoded, format, loops),
-    };
+    });
     header.map_err(|error| error.in_file(name))
 }
 
 /// Reads and decodes a picture file.
 pub fn read(path: &Path, loops: &dyn PixelLoops) -> Result<Decoded> {
-    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let encoded = read_plain_file(path, "a picture file")?;
     decode(&encoded, path, loops)
 }
 
 /// What a picture file says of its picture, without decoding the pixels.
 pub fn read_file_header(path: &Path, loops: &dyn PixelLoops) -> Result<Header> {
-    let encoded = std::fs::read(path).map_err(|error| unreadable(path, &error))?;
+    let encoded = read_plain_file(path, "a picture file")?;
     read_header(&encoded, path, loops)
 }
 
 fn format_of(encoded: &[u8], name: &Path) -> Result<Format> {
     Format::of_content(encoded, name).ok_or_else(|| foreign::not_a_picture(encoded).in_file(name))
-}
-
-fn unreadable(path: &Path, error: &std::io::Error) -> Error {
-    let error = match error.kind() {
-        std::io::ErrorKind::NotFound => Error::new("there is no such file"),
-        std::io::ErrorKind::IsADirectory => Error::new("this is a folder").expected("a picture file"),
-        _ => Error::new(format!("cannot read: {error}")),
-    };
-    error.in_file(path)
 }

@@ -3,7 +3,7 @@
 use crate::error::Error;
 
 /// The formats that are read, as errors list them.
-const READABLE: &str = "a JPEG, PNG, TGA, BMP, WebP, TIFF, HDR or OpenEXR picture";
+const READABLE: &str = "a JPEG, PNG, TGA, BMP, WebP, TIFF, HDR, OpenEXR or PPM picture";
 
 /// The error for bytes in which no picture format was found.
 pub fn not_a_picture(encoded: &[u8]) -> Error {
@@ -39,9 +39,6 @@ fn describe(encoded: &[u8]) -> (String, &'static str) {
         () if starts(b"\x00\x00\x00\x0CjP  ") => ("this is a JPEG 2000 picture, which is not read", CONVERT),
         () if starts(b"%PDF") => ("this is a PDF document", "export its picture as PNG"),
         () if encoded.iter().all(|&byte| byte == 0) => ("the file holds nothing but zero bytes", DOWNLOAD_AGAIN),
-        () if is_netpbm(encoded) => {
-            ("this is a PPM, PGM or PBM picture, which is not read", "write PNG, BMP or TGA, or convert it to PNG")
-        }
         () if is_text(encoded) => {
             ("this is a text file, not a picture", "name the picture itself, or download it again if it should be one")
         }
@@ -54,11 +51,6 @@ fn describe(encoded: &[u8]) -> (String, &'static str) {
 fn leading_text(encoded: &[u8]) -> String {
     let start = String::from_utf8_lossy(&encoded[..encoded.len().min(512)]).to_ascii_lowercase();
     start.trim_start_matches('\u{feff}').trim_start().to_owned()
-}
-
-/// `P1` to `P6` and a blank, as the Netpbm formats begin.
-fn is_netpbm(encoded: &[u8]) -> bool {
-    matches!(encoded, [b'P', b'1'..=b'6', blank, ..] if blank.is_ascii_whitespace())
 }
 
 fn is_text(encoded: &[u8]) -> bool {

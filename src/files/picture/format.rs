@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use super::netpbm;
 use crate::choice::name_of;
 
 /// The file formats that are read.
@@ -19,6 +20,8 @@ pub enum Format {
     Hdr,
     #[value(name = "OpenEXR")]
     Exr,
+    Ppm,
+    Pfm,
 }
 
 /// The first bytes that tell a format. TGA has none.
@@ -52,6 +55,8 @@ impl Format {
             Format::Tiff => "tif",
             Format::Hdr => "hdr",
             Format::Exr => "exr",
+            Format::Ppm => "ppm",
+            Format::Pfm => "pfm",
         }
     }
 
@@ -67,6 +72,8 @@ impl Format {
             "tif" | "tiff" => Format::Tiff,
             "hdr" | "rgbe" => Format::Hdr,
             "exr" => Format::Exr,
+            "ppm" | "pgm" | "pbm" | "pnm" => Format::Ppm,
+            "pfm" => Format::Pfm,
             _ => return None,
         })
     }
@@ -79,6 +86,9 @@ impl Format {
         }
         if encoded.starts_with(b"RIFF") && encoded.get(8..12) == Some(b"WEBP") {
             return Some(Format::WebP);
+        }
+        if netpbm::is_netpbm(encoded) {
+            return Some(if encoded[1].is_ascii_digit() { Format::Ppm } else { Format::Pfm });
         }
         let named_tga = Self::of_extension(name) == Some(Format::Tga);
         let header_fits = is_plausible_tga(encoded);

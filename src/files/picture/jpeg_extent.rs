@@ -21,6 +21,19 @@ pub fn is_complete(encoded: &[u8]) -> bool {
     false
 }
 
+/// True if the picture comes in several passes, each of which needs the coefficients of all blocks (frame header SOF2).
+pub fn is_progressive(encoded: &[u8]) -> bool {
+    let mut position = 2;
+    while let Some((marker, after)) = next_marker(encoded, position) {
+        match marker {
+            0xC2 => return true,
+            0xC0 | 0xC1 | 0xDA => return false,
+            _ => position = after + if has_segment(marker) { segment_length(encoded, after).unwrap_or(0) } else { 0 },
+        }
+    }
+    false
+}
+
 /// The next marker at or after `position` and the position behind it. Inside entropy-coded data `FF 00` is a data byte
 /// and `FF D0` to `FF D7` are restarts, neither of them a marker; fill bytes `FF` may come before any marker.
 fn next_marker(encoded: &[u8], mut position: usize) -> Option<(u8, usize)> {

@@ -2,19 +2,26 @@
 //!
 //! Only this module touches the image codecs.
 
+mod colour_space;
 mod decode;
 mod encoders;
 mod foreign;
 mod format;
+mod guard;
 mod header;
 mod jpeg_extent;
+mod netpbm;
 mod openexr;
+mod orientation;
 mod output_format;
 mod pixel_loops;
 mod png;
+mod radiance_header;
 mod remark;
 mod still;
+mod tiff_tags;
 
+pub use colour_space::ColourSpace;
 pub use decode::{Decoded, Samples, decode, read, read_file_header, read_header};
 pub use encoders::{encode_hdr, encode_jpeg};
 pub use format::Format;

@@ -10,6 +10,9 @@ pub trait PixelLoops {
     /// them compiled.
     fn decoder<'a>(&self, format: Format, encoded: &'a [u8]) -> Option<ImageResult<Box<dyn ImageDecoder + 'a>>>;
 
+    /// What is wrong with the data of a file, where its decoder would not say it.
+    fn damage(&self, format: Format, encoded: &[u8]) -> Option<String>;
+
     /// Stores a stretch of samples among the colours of a picture, given row by row from the top left.
     fn store(&self, stretch: &Stretch, colours: &mut [[f32; 3]]);
 }

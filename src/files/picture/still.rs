@@ -1,4 +1,4 @@
-//! The formats that the `image` crate decodes: all but OpenEXR.
+//! The formats that the `image` crate decodes: all but OpenEXR and Netpbm.
 
 use std::io::Cursor;
 
@@ -7,30 +7,70 @@ use image::{
 };
 
 use super::header::{MEMORY_LIMIT, check_size, damaged};
-use super::{Decoded, Format, Header, PixelLoops, Samples, jpeg_extent};
+use super::orientation::Orientation;
+use super::{ColourSpace, Decoded, Format, Header, PixelLoops, Samples, jpeg_extent, radiance_header, tiff_tags};
 use crate::error::Result;
 use crate::memory::zeros_on_large_pages;
 
-/// Decodes a picture of the given format, which is not OpenEXR.
+/// Decodes a picture of the given format, which is not OpenEXR or Netpbm.
 pub fn decode(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<Decoded> {
     if format == Format::Jpeg && !jpeg_extent::is_complete(encoded) {
         return Err(damaged(format, "it is truncated, its end marker is missing"));
     }
-    let decoder = open(encoded, format, loops)?;
-    let header = header_of(&decoder, encoded, format)?;
+    let mut decoder = open(encoded, format, loops)?;
+    let orientation = Orientation::of(&mut decoder);
+    let header = header_of(&decoder, encoded, format, orientation)?;
+    if let Some(damage) = loops.damage(format, encoded) {
+        return Err(damaged(format, damage));
+    }
+    let profile = decoder.icc_profile().ok().flatten();
+    let stored = decoder.dimensions();
     let samples = match decoder.color_type() {
         ColorType::Rgb8 => read_bytes(decoder),
         _ => DynamicImage::from_decoder(decoder).map(samples_of),
     };
-    Ok(Decoded { header, samples: samples.map_err(|error| explain(format, &error))? })
+    let samples = samples.map_err(|error| explain(format, &error))?;
+    let (space, mut notes) = colours(encoded, format, profile.as_deref(), &samples);
+    notes.extend(orientation.note());
+    Ok(Decoded { header, samples: orientation.applied(samples, [stored.0 as usize, stored.1 as usize]), space, notes })
 }
 
-/// The header of a picture of the given format, which is not OpenEXR.
+/// The colour space that a file speaks of, and what of it is not heeded.
+fn colours(
+    encoded: &[u8],
+    format: Format,
+    profile: Option<&[u8]>,
+    samples: &Samples,
+) -> (Option<ColourSpace>, Vec<String>) {
+    let codes = match samples {
+        Samples::Bytes(..) => 256,
+        Samples::Words(..) => 65_536,
+        Samples::Floats(..) if format == Format::Hdr => return radiance_header::colours(encoded),
+        Samples::Floats(..) => return (None, Vec::new()),
+    };
+    let grey = matches!(samples, Samples::Bytes(1 | 2, _) | Samples::Words(1 | 2, _));
+    let chunks = if format == Format::Png { ColourSpace::of_png(encoded, codes) } else { None };
+    match chunks.or_else(|| profile.map(|profile| ColourSpace::of_profile(profile, codes, grey))) {
+        Some(Ok(space)) => (space, Vec::new()),
+        Some(Err(note)) => (None, vec![note]),
+        None => (None, Vec::new()),
+    }
+}
+
+/// The header of a picture of the given format, which is not OpenEXR or Netpbm.
 pub fn read_header(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<Header> {
-    header_of(&open(encoded, format, loops)?, encoded, format)
+    let mut decoder = open(encoded, format, loops)?;
+    let orientation = Orientation::of(&mut decoder);
+    header_of(&decoder, encoded, format, orientation)
 }
 
 fn open<'a>(encoded: &'a [u8], format: Format, loops: &dyn PixelLoops) -> Result<Box<dyn ImageDecoder + 'a>> {
+    if format == Format::Tiff && tiff_tags::fill_order(encoded) == Some(2) {
+        return Err(damaged(format, "its bits are stored from the lowest on (FillOrder 2)"));
+    }
+    if format == Format::Hdr {
+        radiance_header::check(encoded)?;
+    }
     let mut decoder = match loops.decoder(format, encoded) {
         Some(decoder) => decoder.map_err(|error| explain(format, &error))?,
         None => Box::new(
@@ -55,13 +95,14 @@ fn image_format(format: Format) -> ImageFormat {
         Format::Tiff => ImageFormat::Tiff,
         Format::Hdr => ImageFormat::Hdr,
         Format::Exr => ImageFormat::OpenExr,
+        Format::Ppm | Format::Pfm => ImageFormat::Pnm,
     }
 }
 
 /// The header; an error if the picture is too large to decode.
-fn header_of(decoder: &dyn ImageDecoder, encoded: &[u8], format: Format) -> Result<Header> {
+fn header_of(decoder: &dyn ImageDecoder, encoded: &[u8], format: Format, orientation: Orientation) -> Result<Header> {
     let (width, height) = decoder.dimensions();
-    let (width, height) = (width as usize, height as usize);
+    let [width, height] = orientation.size([width as usize, height as usize]);
     let colour = decoder.color_type();
     let eight_bits = colour.bytes_per_pixel() == colour.channel_count();
     check_size(width, height, if eight_bits { 4 } else { 3 * size_of::<f32>() })?;

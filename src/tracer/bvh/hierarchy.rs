@@ -29,7 +29,8 @@ pub struct Hierarchy {
 impl Hierarchy {
     /// Builds the hierarchy over boxes with finite corners, fewer than 2^31. The same boxes give the same hierarchy.
     pub fn build(boxes: &[FloatBox]) -> Self {
-        Self::merged(BinaryTree::clustered(boxes)).unwrap_or_else(|| {
+        let clustered = if has_heaps(boxes) { None } else { Self::merged(BinaryTree::clustered(boxes)) };
+        clustered.unwrap_or_else(|| {
             Self::merged(BinaryTree::balanced(boxes)).expect("a balanced tree of 2^31 boxes is 30 levels deep")
         })
     }
@@ -67,4 +68,15 @@ impl Hierarchy {
         nodes.append(&mut self.nodes);
         Self { nodes, ..self }
     }
+}
+
+/// True if many boxes are the same, judged by a sample: of neighbours that are all equally near, the clustering joins a single
+/// pair in each pass, and would take minutes for what no tree can part.
+fn has_heaps(boxes: &[FloatBox]) -> bool {
+    const SAMPLE: usize = 4096;
+    const HEAP: usize = 16;
+    let bits = |sample: &FloatBox| [sample.minimum, sample.maximum].map(|corner| corner.to_array().map(f32::to_bits));
+    let mut sample: Vec<_> = boxes.iter().step_by(boxes.len().div_ceil(SAMPLE).max(1)).map(bits).collect();
+    sample.sort_unstable();
+    sample.chunk_by(|a, b| a == b).any(|heap| heap.len() >= HEAP)
 }

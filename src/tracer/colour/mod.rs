@@ -5,7 +5,7 @@ mod srgb;
 mod tone_map;
 
 pub use colour_map::magma_bytes;
-pub use srgb::{SRGB8_TO_LINEAR, decode_srgb8, decode_srgb16, encode_srgb, encode_srgb8};
+pub use srgb::{SRGB8_TO_LINEAR, decode_srgb, decode_srgb8, decode_srgb16, encode_srgb, encode_srgb8};
 pub use tone_map::{Encoding, ToneMap};
 
 use crate::math::Vec3;

@@ -45,9 +45,14 @@ struct Side {
 impl RoughGlass {
     /// The surface of a glass against vacuum; `roughness` is the alpha of GGX, more than 0.
     pub fn new(index: f64, roughness: f64) -> Self {
-        let mut glass = Self { microfacets: Microfacets::new(roughness), sides: Vec::new() };
+        let mut glass = Self::unprepared(roughness);
         glass.meet(index, 1.0);
         glass
+    }
+
+    /// The surface before it is known what it meets.
+    pub fn unprepared(roughness: f64) -> Self {
+        Self { microfacets: Microfacets::new(roughness), sides: Vec::new() }
     }
 
     /// Prepares the surface for another medium beyond it: glasses may be nested.

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use skycube_files::picture::{self as files, Decoded, Samples};
+use skycube_files::picture::{self as files, ColourSpace, Decoded, Samples};
 
 use super::pixel_loops::Optimised;
 use super::{Header, Picture, Texels};
@@ -35,7 +35,10 @@ pub fn read_file_header(path: &Path) -> Result<Header> {
 }
 
 /// Bytes stay bytes, all else becomes linear.
-fn picture(Decoded { header, samples }: Decoded) -> Picture {
+fn picture(Decoded { header, samples, space, .. }: Decoded) -> Picture {
+    if let Some(space) = space {
+        return Picture::new(header, converted(&samples, &space));
+    }
     let texels = match samples {
         Samples::Bytes(3, bytes) => Texels::Srgb8(bytes),
         Samples::Bytes(4, bytes) => Texels::Srgb8(without_alpha(&bytes)),
@@ -50,6 +53,32 @@ fn picture(Decoded { header, samples }: Decoded) -> Picture {
         Samples::Floats(channels, floats) => linear(&floats, channels, |texel| Vec3::splat(texel[0])),
     };
     Picture::new(header, texels)
+}
+
+/// Samples of another colour space. Colours that Rec. 709 cannot show become the nearest that it can, but those of floats,
+/// which stand for light and not for a screen, stay.
+fn converted(samples: &Samples, space: &ColourSpace) -> Texels {
+    let rows = space.matrix.map(Vec3::from);
+    let mixed = |linear: Vec3| Vec3::new(rows[0].dot(linear), rows[1].dot(linear), rows[2].dot(linear));
+    let light = |channel: usize, code: usize| {
+        space.curves.as_ref().map_or(0.0, |curves| curves[channel].get(code).copied().unwrap_or(0.0))
+    };
+    let coded = |codes: [usize; 3]| {
+        let linear = Vec3::new(light(0, codes[0]), light(1, codes[1]), light(2, codes[2]));
+        mixed(linear).clamp(Vec3::ZERO, linear.max(Vec3::ONE))
+    };
+    let rgb = |channels: usize| if channels >= 3 { [0, 1, 2] } else { [0; 3] };
+    match samples {
+        Samples::Bytes(channels, bytes) => {
+            linear(bytes, *channels, |texel| coded(rgb(*channels).map(|channel| usize::from(texel[channel]))))
+        }
+        Samples::Words(channels, words) => {
+            linear(words, *channels, |texel| coded(rgb(*channels).map(|channel| usize::from(texel[channel]))))
+        }
+        Samples::Floats(channels, floats) => {
+            linear(floats, *channels, |texel| mixed(Vec3::from(rgb(*channels).map(|channel| texel[channel]))))
+        }
+    }
 }
 
 fn without_alpha(bytes: &[u8]) -> Vec<u8> {

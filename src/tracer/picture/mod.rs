@@ -4,6 +4,7 @@ mod bilinear;
 mod decode;
 mod display;
 mod encode;
+mod jpeg_data;
 mod lay;
 mod pixel_loops;
 mod raster;

@@ -9,7 +9,7 @@ use image::codecs::tga::TgaDecoder;
 use image::{ImageDecoder, ImageResult};
 use skycube_files::picture::{PixelLoops, SampleKind, Stretch};
 
-use super::Format;
+use super::{Format, jpeg_data};
 
 /// The loops of this package, which is optimised.
 pub(super) struct Optimised;
@@ -24,6 +24,10 @@ impl PixelLoops for Optimised {
             Format::Hdr => Some(boxed(HdrDecoder::new_nonstrict(bytes))),
             _ => None,
         }
+    }
+
+    fn damage(&self, format: Format, encoded: &[u8]) -> Option<String> {
+        if format == Format::Jpeg { jpeg_data::damage(encoded) } else { None }
     }
 
     fn store(&self, stretch: &Stretch, colours: &mut [[f32; 3]]) {

@@ -1,5 +1,6 @@
 //! From the TOML text to the scene.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use skycube_files::document::{Document, Table};
@@ -35,6 +36,8 @@ pub struct Scene {
     pub shapes: Aggregate,
     /// Every file the scene was read from: none of them may be written to.
     pub sources: Vec<PathBuf>,
+    /// What of the files was left out or read with goodwill.
+    pub notes: Vec<String>,
 }
 
 impl Scene {
@@ -67,6 +70,7 @@ impl Scene {
             lights: Vec::new(),
             shapes: Aggregate::new(Vec::new()),
             sources: Vec::new(),
+            notes: Vec::new(),
         }
     }
 
@@ -106,6 +110,7 @@ impl Scene {
             lights,
             shapes: build(placed.primitives),
             sources,
+            notes: placed.notes,
         })
     }
 }
@@ -115,35 +120,41 @@ struct PlacedShapes {
     primitives: Vec<Primitive>,
     materials: Vec<Material>,
     material_names: Vec<String>,
-    /// Meshes and textures.
+    /// Meshes, their MTL files and textures.
     files: Vec<PathBuf>,
+    notes: Vec<String>,
 }
 
 impl PlacedShapes {
     /// Reads the tables `materials` and `shapes`.
     fn read(root: &mut Table) -> Result<Self> {
         let mut textures = TextureStore::default();
-        let mut shapes = ShapeReader::new(&mut textures);
-        if let Some(table) = root.optional("materials") {
-            for (name, value) in table.table()?.take_all() {
-                let material = material::read(value.table()?, shapes.textures)?;
-                shapes.add_material(name, material);
-            }
-        }
+        let colours = root.optional("mtl_colours").map(|value| value.choice()).transpose()?;
+        let mut shapes = ShapeReader::new(&mut textures, colours.unwrap_or_default());
+        let described = root.optional("materials").map_or(Ok(Vec::new()), |table| Ok(table.table()?.take_all()))?;
+        described.iter().for_each(|(name, _)| shapes.add_material(name.clone()));
         let mut primitives = Vec::new();
         for table in tables(root, "shapes")? {
             primitives.push(shapes.read(table)?);
         }
+        // What a shape shows decides which tables are needed.
+        let numbers = primitives.iter().flat_map(|primitive: &Primitive| primitive.material.numbers());
+        let shown: BTreeSet<u32> = numbers.copied().collect();
+        for (number, (_, value)) in (0..).zip(&described) {
+            let material = material::read(value.table()?, shapes.textures, shown.contains(&number))?;
+            shapes.materials[number as usize] = material;
+        }
+        shapes.check_glass();
         let material_names = shapes.names_of_materials();
         let mut materials = std::mem::take(&mut shapes.materials);
-        material::prepare_for_each_other(&mut materials);
+        material::prepare_for_each_other(&mut materials, &shown);
         for primitive in &mut primitives {
             let needed = |number: u32| materials[number as usize].needs_texture_coordinates();
             primitive.textured = primitive.material.numbers().iter().any(|&number| needed(number));
         }
-        let mut files: Vec<_> = shapes.meshes.keys().cloned().collect();
+        let (mut files, notes) = (std::mem::take(&mut shapes.files), std::mem::take(&mut shapes.notes));
         files.extend(textures.files().cloned());
-        Ok(Self { primitives, materials, material_names, files })
+        Ok(Self { primitives, materials, material_names, files, notes })
     }
 }
 

@@ -1,6 +1,6 @@
 //! The tables `[materials.NAME]`.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -11,6 +11,7 @@ use crate::materials::{
     Checker, Coat, ColourSource, ImageTexture, METALS, Material, Metal, MetalReflectance, RoughGlass,
 };
 use crate::math::{DVec2, Vec3};
+use crate::parallel;
 use crate::picture::{self, Filter, Texture, Wrap};
 
 /// Pictures of materials, each read once.
@@ -37,8 +38,8 @@ impl TextureStore {
     }
 }
 
-/// Reads one material.
-pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Material> {
+/// Reads one material. One that no shape shows is read as a smooth one: the tables of roughness take time.
+pub(super) fn read(mut table: Table, textures: &mut TextureStore, shown: bool) -> Result<Material> {
     #[derive(Clone, Copy, clap::ValueEnum)]
     enum Kind {
         Normals,
@@ -58,8 +59,8 @@ pub(super) fn read(mut table: Table, textures: &mut TextureStore) -> Result<Mate
         Kind::Lambert => Material::Lambert { colour: reflectance(&table.required("colour")?, textures)? },
         Kind::Phong => read_phong(&mut table, textures)?,
         Kind::Mirror => Material::Mirror { colour: white_or(table.optional("colour"), textures)? },
-        Kind::Metal => read_metal(&mut table)?,
-        Kind::Coated => read_coated(&mut table, textures)?,
+        Kind::Metal => read_metal(&mut table, shown)?,
+        Kind::Coated => read_coated(&mut table, textures, shown)?,
         Kind::Glass => read_glass(&mut table)?,
         Kind::Light => Material::Light { radiance: table.required("radiance")?.colour()? },
     };
@@ -89,8 +90,9 @@ fn read_phong(table: &mut Table, textures: &mut TextureStore) -> Result<Material
     Ok(Material::Phong { diffuse, specular, exponent })
 }
 
-fn read_metal(table: &mut Table) -> Result<Material> {
+fn read_metal(table: &mut Table, shown: bool) -> Result<Material> {
     let roughness = roughness(table)?;
+    let roughness = if shown { roughness } else { 0.0 };
     let reflectance = match (table.optional("metal"), table.optional("index"), table.optional("reflectance")) {
         (Some(name), None, None) => name.named(&METALS)?,
         (None, Some(index), None) => {
@@ -106,12 +108,14 @@ fn read_metal(table: &mut Table) -> Result<Material> {
     Ok(Material::Metal(Arc::new(Metal::new(reflectance, roughness))))
 }
 
-fn read_coated(table: &mut Table, textures: &mut TextureStore) -> Result<Material> {
+fn read_coated(table: &mut Table, textures: &mut TextureStore, shown: bool) -> Result<Material> {
     let colour = reflectance(&table.required("colour")?, textures)?;
     let index = table.optional("index").map_or(Ok(1.5), |value| {
         value.number_where("an index of refraction, from 1 to 100", |number| (1.0..=100.0).contains(&number))
     })?;
-    Ok(Material::Coated { coat: Arc::new(Coat::new(index, roughness(table)?)), colour })
+    let roughness = roughness(table)?;
+    let roughness = if shown { roughness } else { 0.0 };
+    Ok(Material::Coated { coat: Arc::new(Coat::new(index, roughness)), colour })
 }
 
 fn read_glass(table: &mut Table) -> Result<Material> {
@@ -120,7 +124,7 @@ fn read_glass(table: &mut Table) -> Result<Material> {
     })?;
     let absorption = table.optional("absorption").map_or(Ok(Vec3::ZERO), |value| value.colour())?;
     let roughness = roughness(table)?;
-    let rough = (roughness > 0.0).then(|| Arc::new(RoughGlass::new(index, roughness)));
+    let rough = (roughness > 0.0).then(|| Arc::new(RoughGlass::unprepared(roughness)));
     Ok(Material::Glass { index, absorption, rough })
 }
 
@@ -133,16 +137,21 @@ fn roughness(table: &mut Table) -> Result<f64> {
     })
 }
 
-/// Prepares rough glasses for the other media of the scene: glasses may be nested, or touch.
-pub(super) fn prepare_for_each_other(materials: &mut [Material]) {
-    let index = |material: &Material| if let Material::Glass { index, .. } = material { Some(*index) } else { None };
-    let indices: Vec<f64> = materials.iter().filter_map(index).collect();
-    for material in materials {
+/// Prepares the rough glasses that shapes show for vacuum and for each other: glasses may be nested, or touch.
+pub(super) fn prepare_for_each_other(materials: &mut [Material], shown: &BTreeSet<u32>) {
+    let shown = |number: usize| shown.contains(&(number as u32));
+    let index = |(number, material): (usize, &Material)| match material {
+        Material::Glass { index, .. } if shown(number) => Some(*index),
+        _ => None,
+    };
+    let indices: Vec<f64> = std::iter::once(1.0).chain(materials.iter().enumerate().filter_map(index)).collect();
+    let shown_ones = materials.iter_mut().enumerate().filter(|(number, _)| shown(*number));
+    parallel::for_each(shown_ones, |(_, material)| {
         if let Material::Glass { index, rough: Some(rough), .. } = material {
             let rough = Arc::make_mut(rough);
             indices.iter().for_each(|&other| rough.meet(*index, other));
         }
-    }
+    });
 }
 
 fn white_or(value: Option<Value>, textures: &mut TextureStore) -> Result<ColourSource> {

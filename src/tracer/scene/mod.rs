@@ -7,6 +7,7 @@ mod environment;
 mod light;
 mod load;
 mod material;
+mod mesh_materials;
 mod plan;
 mod settings;
 mod shape;

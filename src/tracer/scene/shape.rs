@@ -1,44 +1,56 @@
 //! The tables `[[shapes]]`.
 
-use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use skycube_files::document::{Table, Value};
 
 use super::material::TextureStore;
-use crate::error::Result;
-use crate::materials::{ColourSource, ImageTexture, Material};
-use crate::math::{DAffine3, DMat3, DVec2, DVec3, Transform, Vec3};
-use crate::picture::Filter;
-use crate::shapes::mesh::{Mesh, ObjFile, ObjMaterial};
+use super::mesh_materials::{Conversion, MtlColours};
+use crate::error::{Error, Result};
+use crate::materials::Material;
+use crate::math::{DAffine3, DMat3, DVec3, Transform};
+use crate::shapes::mesh::ObjFile;
 use crate::shapes::{Geometry, MaterialChoice, Outline, Primitive};
 
 /// Reads shapes; remembers materials and meshes, so that each file is read once and instances share a mesh.
 pub(super) struct ShapeReader<'a> {
     pub materials: Vec<Material>,
-    pub meshes: BTreeMap<PathBuf, LoadedMesh>,
     pub textures: &'a mut TextureStore,
+    /// How the colours of MTL files are meant where a shape does not say it.
+    pub mtl_colours: MtlColours,
+    /// What a user should know of the files.
+    pub notes: Vec<String>,
+    /// Meshes and their MTL files.
+    pub files: Vec<PathBuf>,
+    meshes: BTreeMap<PathBuf, ObjFile>,
+    /// The scene's numbers of the materials of a mesh file.
+    mesh_materials: BTreeMap<(PathBuf, MtlColours), Arc<[u32]>>,
     material_names: BTreeMap<String, u32>,
-}
-
-/// A mesh and the scene's numbers of its own materials.
-#[derive(Clone)]
-pub(super) struct LoadedMesh {
-    mesh: Arc<Mesh>,
-    /// `None` if the file has no materials of its own.
-    materials: Option<Arc<[u32]>>,
+    /// The meshes of the scene and what they are made of.
+    shown: Vec<(PathBuf, MaterialChoice)>,
 }
 
 impl<'a> ShapeReader<'a> {
-    pub(super) fn new(textures: &'a mut TextureStore) -> Self {
-        Self { materials: Vec::new(), meshes: BTreeMap::new(), textures, material_names: BTreeMap::new() }
+    pub(super) fn new(textures: &'a mut TextureStore, mtl_colours: MtlColours) -> Self {
+        Self {
+            materials: Vec::new(),
+            textures,
+            mtl_colours,
+            notes: Vec::new(),
+            files: Vec::new(),
+            meshes: BTreeMap::new(),
+            mesh_materials: BTreeMap::new(),
+            material_names: BTreeMap::new(),
+            shown: Vec::new(),
+        }
     }
 
-    /// Makes a material known under its name.
-    pub(super) fn add_material(&mut self, name: String, material: Material) {
+    /// Makes a material known under its name; what it is follows once all shapes are read.
+    pub(super) fn add_material(&mut self, name: String) {
         self.material_names.insert(name, self.materials.len() as u32);
-        self.materials.push(material);
+        self.materials.push(Material::Normals);
     }
 
     /// The name of each material, in the order of their numbers.
@@ -61,7 +73,7 @@ impl<'a> ShapeReader<'a> {
             Mesh,
         }
         let kind: Kind = table.required("kind")?.choice()?;
-        let mut own_materials = None;
+        let mut mesh_file = None;
         let (geometry, canonical) = match kind {
             Kind::Sphere => (Geometry::Sphere, read_sphere(&mut table)?),
             Kind::Plane => (Geometry::Flat(Outline::Plane), read_plane(&mut table)?),
@@ -69,90 +81,93 @@ impl<'a> ShapeReader<'a> {
             Kind::Rectangle => (Geometry::Flat(Outline::Rectangle), read_rectangle(&mut table)?),
             Kind::Cuboid => (Geometry::Cuboid, read_cuboid(&mut table)?),
             Kind::Mesh => {
-                let loaded = self.read_mesh(&mut table)?;
-                own_materials = loaded.materials;
-                (Geometry::Mesh(loaded.mesh), DAffine3::IDENTITY)
+                let file = table.required("file")?;
+                let object = self.read_mesh(&file)?;
+                let placed = (Geometry::Mesh(Arc::clone(&object.mesh)), DAffine3::from_translation(object.centre));
+                mesh_file = Some(file);
+                placed
             }
         };
         let placed = read_transform(&mut table)?;
         let transform = Transform::from_affine(placed * canonical).ok_or_else(|| {
             table.error("the shape has no extent in some direction").expected("sizes and scales that are not zero")
         })?;
-        let material = self.read_material(&mut table, own_materials)?;
+        let material = match (table.optional("material"), &mesh_file) {
+            (Some(name), _) => self.named_material(&name)?,
+            (None, Some(file)) => self.mesh_materials(&mut table, file)?,
+            (None, None) => return Err(table.required("material").err().expect("the key was just found missing")),
+        };
         let casts_shadow = table.optional("casts_shadow").map_or(Ok(true), |value| value.boolean())?;
         table.finish()?;
+        if let Some(file) = mesh_file {
+            self.shown.push((file.path()?, material.clone()));
+        }
         Ok(Primitive::new(geometry, transform, material, casts_shadow))
     }
 
-    fn read_material(&self, table: &mut Table, own: Option<Arc<[u32]>>) -> Result<MaterialChoice> {
-        match (table.optional("material"), own) {
-            (None, Some(own)) => Ok(MaterialChoice::PerGroup(own)),
-            (None, None) => Err(table.required("material").err().expect("the key was just found missing")),
-            (Some(name), _) => {
-                let text = name.text()?;
-                let number = self.material_names.get(text).ok_or_else(|| {
-                    let known: Vec<&str> = self.material_names.keys().map(String::as_str).collect();
-                    name.error(format!("there is no material \"{text}\"")).expected(match known.as_slice() {
-                        [] => "a [materials.NAME] table in the scene".to_owned(),
-                        known => format!("one of {}", known.join(", ")),
-                    })
-                })?;
-                Ok(MaterialChoice::Whole(*number))
-            }
-        }
+    fn named_material(&self, name: &Value) -> Result<MaterialChoice> {
+        let text = name.text()?;
+        let number = self.material_names.get(text).ok_or_else(|| {
+            let known: Vec<&str> = self.material_names.keys().map(String::as_str).collect();
+            name.error(format!("there is no material \"{text}\"")).expected(match known.as_slice() {
+                [] => "a [materials.NAME] table in the scene".to_owned(),
+                known => format!("one of {}", known.join(", ")),
+            })
+        })?;
+        Ok(MaterialChoice::Whole(*number))
     }
 
-    fn read_mesh(&mut self, table: &mut Table) -> Result<LoadedMesh> {
-        let file = table.required("file")?;
+    fn read_mesh(&mut self, file: &Value) -> Result<&ObjFile> {
         let path = file.path()?;
-        if let Some(loaded) = self.meshes.get(&path) {
-            return Ok(loaded.clone());
+        if !self.meshes.contains_key(&path) {
+            let object = ObjFile::read(&path).map_err(|error| file.error(error.to_string()))?;
+            self.notes.extend(object.remarks.iter().map(|remark| format!("{}: {remark}", path.display())));
+            self.files.push(path.clone());
+            self.meshes.insert(path.clone(), object);
         }
-        let loaded = self.load_mesh(&path).map_err(|error| file.error(error.to_string()))?;
-        self.meshes.insert(path, loaded.clone());
-        Ok(loaded)
+        Ok(&self.meshes[&path])
     }
 
-    fn load_mesh(&mut self, path: &Path) -> Result<LoadedMesh> {
-        let object = ObjFile::read(path)?;
-        // Faces without a material leave the choice to the scene.
-        let described: Option<Vec<ObjMaterial>> = object.groups.into_iter().collect();
+    /// The materials of a mesh file's own. Faces without one are white; if all are, the choice is left to the scene.
+    fn mesh_materials(&mut self, table: &mut Table, file: &Value) -> Result<MaterialChoice> {
+        let path = file.path()?;
+        let colours = table.optional("mtl_colours").map_or(Ok(self.mtl_colours), |value| value.choice())?;
+        if let Some(numbers) = self.mesh_materials.get(&(path.clone(), colours)) {
+            return Ok(MaterialChoice::PerGroup(Arc::clone(numbers)));
+        }
+        let within = |error: Error| file.error(error.to_string());
+        let described = self.meshes[&path].materials().map_err(within)?;
+        if described.groups.iter().all(Option::is_none) {
+            return Err(table.required("material").err().expect("the key was just found missing"));
+        }
+        let mut conversion = Conversion::new(self.textures, colours);
         let mut numbers = Vec::new();
-        for described in described.iter().flatten() {
+        for group in &described.groups {
             numbers.push(self.materials.len() as u32);
-            let material = self.convert(described)?;
-            self.materials.push(material);
+            self.materials.push(conversion.material(&group.clone().unwrap_or_default()).map_err(within)?);
         }
-        let materials = described.map(|_| Arc::from(numbers));
-        Ok(LoadedMesh { mesh: Arc::new(object.mesh), materials })
+        let notes = described.remarks.into_iter().chain(conversion.note());
+        self.notes.extend(notes.map(|note| format!("{}: {note}", path.display())));
+        self.files.extend(described.files);
+        let numbers: Arc<[u32]> = numbers.into();
+        self.mesh_materials.insert((path, colours), Arc::clone(&numbers));
+        Ok(MaterialChoice::PerGroup(numbers))
     }
 
-    /// A material of an MTL file: glass where `illum` is 4, 6, 7 or 9, a mirror for 3, 5 and 8, otherwise Phong if it
-    /// has a highlight, or else Lambert. A missing colour is white, as in the format's description.
-    fn convert(&mut self, described: &ObjMaterial) -> Result<Material> {
-        let specular = described.specular.unwrap_or(Vec3::ZERO);
-        match described.illumination {
-            Some(4 | 6 | 7 | 9) => {
-                let index = described.index_of_refraction.map_or(1.5, |index| f64::from(index).clamp(0.1, 100.0));
-                return Ok(Material::Glass { index, absorption: Vec3::ZERO, rough: None });
+    /// Notes on glass whose inside cannot be told from its outside.
+    pub(super) fn check_glass(&mut self) {
+        let mut notes = BTreeSet::new();
+        for (path, material) in &self.shown {
+            let numbers = material.numbers();
+            let is_glass =
+                |group: u32| self.materials[numbers[(group as usize).min(numbers.len() - 1)] as usize].transmits();
+            if (0..numbers.len() as u32).any(is_glass)
+                && let Some(problem) = self.meshes[path].mesh.geometry().outside_of(is_glass).problem()
+            {
+                notes.insert(format!("{}: glass on a mesh {problem}", path.display()));
             }
-            Some(3 | 5 | 8) => {
-                let colour = ColourSource::Uniform(described.specular.unwrap_or(Vec3::ONE));
-                return Ok(Material::Mirror { colour });
-            }
-            _ => {}
         }
-        let diffuse = match &described.diffuse_map {
-            Some(path) => ColourSource::Image(ImageTexture {
-                texture: self.textures.load(path.clone(), Filter::Bilinear)?,
-                repeat: DVec2::ONE,
-            }),
-            None => ColourSource::Uniform(described.diffuse.unwrap_or(Vec3::ONE)),
-        };
-        if specular == Vec3::ZERO || described.illumination == Some(1) {
-            return Ok(Material::Lambert { colour: diffuse });
-        }
-        Ok(Material::Phong { diffuse, specular, exponent: described.shininess.unwrap_or(32.0) })
+        self.notes.extend(notes);
     }
 }
 

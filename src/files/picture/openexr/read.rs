@@ -11,7 +11,7 @@ use exr::meta::header::Header as Layer;
 use super::channels::{ColourChannels, kind_of};
 use crate::error::{Error, Result};
 use crate::picture::header::{check_size, damaged};
-use crate::picture::{Decoded, Format, Header, PixelLoops, Samples, Stretch};
+use crate::picture::{ColourSpace, Decoded, Format, Header, PixelLoops, Samples, Stretch};
 
 /// How an OpenEXR file says that it wraps around the viewer (attribute `envmap`).
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -147,7 +147,15 @@ impl Canvas {
         if self.covered != layer.layer_size.area() {
             return Err(damaged(Format::Exr, "some of its blocks are missing"));
         }
-        Ok(Decoded { header: self.header, samples: Samples::Floats(3, self.colours.into_flattened()) })
+        let mut picture = Decoded::plain(self.header, Samples::Floats(3, self.colours.into_flattened()));
+        if let Some(given) = layer.shared_attributes.chromaticities {
+            let primaries = [given.red, given.green, given.blue, given.white].map(|at| [at.0, at.1].map(f64::from));
+            match ColourSpace::linear(primaries, 1.0) {
+                Ok(space) => picture.space = space,
+                Err(note) => picture.notes.push(note),
+            }
+        }
+        Ok(picture)
     }
 }
 

@@ -96,7 +96,8 @@ pub(super) fn read_header(read: impl Fn(Option<u64>) -> Result<Vec<u8>>, name: &
     let head = read(Some(HEAD))?;
     match picture::read_header(&head, name) {
         Ok(header) => Ok((header, head)),
-        Err(_) if head.len() as u64 == HEAD => {
+        // What does not begin as a picture is none, however long it is.
+        Err(_) if head.len() as u64 == HEAD && picture::Format::of_content(&head, name).is_some() => {
             let whole = read(None)?;
             Ok((picture::read_header(&whole, name)?, whole))
         }
@@ -106,6 +107,7 @@ pub(super) fn read_header(read: impl Fn(Option<u64>) -> Result<Vec<u8>>, name: &
 
 /// The bytes of a file, or its first ones.
 pub(super) fn read_file(path: &Path, limit: Option<u64>) -> Result<Vec<u8>> {
+    skycube_files::check_plain(path, "a picture file").map_err(|error| error.in_file(path))?;
     let read = || {
         let mut bytes = Vec::new();
         let file = File::open(path)?;

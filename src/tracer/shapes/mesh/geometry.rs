@@ -36,6 +36,34 @@ impl MeshGeometry {
         (b - a).cross(c - a)
     }
 
+    /// What there is to say of the inside and the outside of the triangles of some groups.
+    pub fn outside_of(&self, is_meant: impl Fn(u32) -> bool) -> Outside {
+        // Vertices at one place are one, whatever else they carry.
+        let mut order: Vec<u32> = (0..self.positions.len() as u32).collect();
+        let key =
+            |vertex: &u32| self.positions[*vertex as usize].to_array().map(|coordinate| (coordinate + 0.0).to_bits());
+        order.sort_unstable_by_key(key);
+        let mut places = vec![0; order.len()];
+        for (number, group) in order.chunk_by(|a, b| key(a) == key(b)).enumerate() {
+            group.iter().for_each(|&vertex| places[vertex as usize] = number as u32);
+        }
+        let group = |triangle: usize| self.materials.get(triangle).copied().unwrap_or(0);
+        let (mut edges, mut volume) = (Vec::new(), 0.0);
+        for (number, triangle) in self.triangles.iter().enumerate().filter(|(number, _)| is_meant(group(*number))) {
+            let [a, b, c] = triangle.map(|vertex| places[vertex as usize]);
+            // An edge in its own direction, and whether that is from the lower number to the higher.
+            edges.extend([(a, b), (b, c), (c, a)].map(|(from, to)| (from.min(to), from.max(to), from < to)));
+            let [a, b, c] = self.corners(number as u32).map(|corner| corner.as_dvec3());
+            volume += a.dot(b.cross(c)) / 6.0;
+        }
+        edges.retain(|(low, high, _)| low != high);
+        edges.sort_unstable();
+        let open =
+            |edge: &&[(u32, u32, bool)]| edge.iter().map(|(_, _, up)| if *up { 1 } else { -1 }).sum::<i64>() != 0;
+        let open_edges = edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)).filter(open).count();
+        Outside { open_edges, volume }
+    }
+
     /// Refuses what cannot be traced: no triangles, indices of missing vertices, coordinates that are not finite.
     pub(super) fn check(&self) -> Result<()> {
         if self.triangles.is_empty() {
@@ -73,6 +101,29 @@ impl MeshGeometry {
                 .expected("finite numbers"));
         }
         Ok(())
+    }
+}
+
+/// Whether triangles enclose a space, and from which side.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Outside {
+    /// Edges along which as many triangles do not run one way as the other.
+    pub open_edges: usize,
+    /// The enclosed volume; negative if the fronts face inwards.
+    pub volume: f64,
+}
+
+impl Outside {
+    /// Why glass has no inside here; `None` if it has one.
+    pub fn problem(&self) -> Option<String> {
+        match self {
+            Self { open_edges: 0, volume } if *volume >= 0.0 => None,
+            Self { open_edges: 0, .. } => {
+                Some("whose fronts face inwards: what is inside is taken for outside (turn its faces over)".to_owned())
+            }
+            Self { open_edges: 1, .. } => Some("with an open edge: it has no inside".to_owned()),
+            Self { open_edges: count, .. } => Some(format!("with {count} open edges: it has no inside")),
+        }
     }
 }
 

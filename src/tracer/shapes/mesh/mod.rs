@@ -13,7 +13,7 @@ mod wavefront;
 pub use geometry::MeshGeometry;
 pub use surface::MeshPoint;
 pub use triangle::{ShearedRay, TriangleHit};
-pub use wavefront::{ObjFile, ObjMaterial};
+pub use wavefront::{ObjFile, ObjMap, ObjMaterial, ObjMaterials};
 
 use crate::bvh::{FloatBox, Hierarchy, HierarchyRay, Visit};
 use crate::error::{Error, Result};
