@@ -35,7 +35,7 @@ pub fn lookup_code(corrected: &Lookup, given: &Lookup, language: CodeLanguage) -
 fn toml_row((face, now, before): (Face, FaceLookup, FaceLookup)) -> String {
     let table =
         |row: FaceLookup| format!("{{ image = \"{}\", u = \"{}\", v = \"{}\" }}", row.image.name(), row.u, row.v);
-    let was = if now == before { String::new() } else { format!("  # changed, was: {}", table(before)) };
+    let was = if now == before { String::new() } else { format!("  # was: {}", table(before)) };
     format!("{} = {}{was}\n", face.name(), table(now))
 }
 

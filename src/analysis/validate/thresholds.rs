@@ -5,9 +5,11 @@
 
 /// When one arrangement fits decisively better than another: [`super::search::evidence`].
 pub mod evidence {
-    /// Standard errors by which an arrangement must be better. Chance reaches 2.6 in 180 mixtures of unrelated faces.
+    /// Standard errors by which an arrangement must be better. Measured: a turned face has 3.8 or more (a chart of which only
+    /// the background reaches the borders), 7.3 or more on all other maps.
     pub const STANDARD_ERRORS: f64 = 3.5;
-    /// The part of the cost that it must save: less is a trifle, whatever its standard errors are.
+    /// The part of the cost that it must save: less is a trifle, whatever its standard errors are. Measured: a turned face
+    /// wastes 0.41 or more.
     pub const IMPROVEMENT: f64 = 0.12;
     /// Nearly nothing is left of the cost: fewer standard errors will do, as where only a few lines cross the borders.
     pub const FEW_STANDARD_ERRORS: f64 = 2.5;
@@ -32,7 +34,8 @@ pub mod evidence {
 
 /// Faces that do not belong: [`super::outlier`].
 pub mod outlier {
-    /// The mean fit of the four seams of a face from which on it is an outlier.
+    /// The mean fit of the four seams of a face from which on it is an outlier. Measured: right faces reach 0.53, faces of
+    /// another map have 0.80 or more.
     pub const OUTLIER: f64 = 0.8;
     /// The same for one of two equal images.
     pub const OUTLIER_COPY: f64 = 0.5;
@@ -40,15 +43,16 @@ pub mod outlier {
     pub const OUTLIER_FLAT: f64 = 0.3;
     /// The mean step by which the neighbours must end in other colours than an outlier: a flat sky whose neighbours fade into
     /// about its colour is a picture of a flat sky, and a nearly black floor (4 to 6 codes) belongs to nearly black walls.
+    /// Measured: faces of another map step by 18.9 or more, right ones by up to 19.0, which their fit protects.
     pub const OUTLIER_STEP: f64 = 16.0;
     /// The mean fit that the eight other seams must reach.
     pub const FAMILIAR: f64 = 0.7;
     /// The mean score (step over detail) below which the seams are not a visible fault.
     pub const VISIBLE: f64 = 3.0;
-    /// The mean cost, brightness apart, that two unlike patterns have at least.
+    /// The mean cost, brightness apart, that two unlike patterns have at least. Measured: 151 or more for faces of another map.
     pub const ANOTHER_PATTERN: f64 = 30.0;
     /// The agreement of the brightness along its four borders from which on a face is no outlier, however much its colours
-    /// differ: a grey face among coloured ones, a face in a frame. Measured: outliers reach 5.3, grey faces 32.
+    /// differ: a grey face among coloured ones, a face in a frame. Measured: outliers reach 6.7, grey faces have 32.
     pub const KINDRED: f64 = 10.0;
 }
 
@@ -69,7 +73,7 @@ pub mod seam {
 
 /// Verdicts: [`super::solve`] and [`super::check`].
 pub mod verdict {
-    /// The mean fit of seams from which on the six pictures have nothing to do with each other.
+    /// The mean fit of seams from which on the six pictures have nothing to do with each other. Measured: right maps reach 0.45.
     pub const UNRELATED: f64 = 0.85;
     /// Orientations of a face that must be decisively worse before the face tells anything, and faces that must tell.
     pub const TELLING_ORIENTATIONS: usize = 4;

@@ -19,11 +19,20 @@ pub enum Family {
     Initials,
     /// `east`, `up`, `north`
     Compass,
+    /// `e`, `u`, `n`
+    CompassInitials,
     German,
     Czech,
     French,
     Spanish,
     Italian,
+}
+
+impl Family {
+    /// True for single letters: some of six names have one of them by chance, a.png to f.png say.
+    pub fn is_of_initials(self) -> bool {
+        matches!(self, Self::Initials | Self::CompassInitials)
+    }
 }
 
 /// Every spelling of the six faces, in the order +X -X +Y -Y +Z -Z.
@@ -65,7 +74,7 @@ const SPELLINGS: &[(Family, [&str; 6])] = &[
     (Family::Compass, ["east", "west", "up", "down", "north", "south"]),
     (Family::Compass, ["east", "west", "top", "bottom", "north", "south"]),
     (Family::Compass, ["east", "west", "zenith", "nadir", "north", "south"]),
-    (Family::Compass, ["e", "w", "u", "d", "n", "s"]),
+    (Family::CompassInitials, ["e", "w", "u", "d", "n", "s"]),
     (Family::German, ["rechts", "links", "oben", "unten", "vorne", "hinten"]),
     (Family::German, ["rechts", "links", "decke", "boden", "vorn", "hinten"]),
     (Family::Czech, ["vpravo", "vlevo", "nahoře", "dole", "vpředu", "vzadu"]),

@@ -52,7 +52,7 @@ pub(super) fn select(names: &[&str]) -> Selection {
     let found = most_faces(names, families, mixture);
     let pictures: Vec<usize> = (0..names.len()).filter(|&file| is_readable_format(names[file])).collect();
     match <[usize; 6]>::try_from(pictures) {
-        Ok(mut six) if missing(&found).len() >= MOSTLY_UNNAMED => {
+        Ok(mut six) if named_by_more_than_initials(&separate) <= MOSTLY_UNNAMED => {
             six.sort_by_key(|&file| names[file]);
             Selection::Unnamed(six)
         }
@@ -60,8 +60,13 @@ pub(super) fn select(names: &[&str]) -> Selection {
     }
 }
 
-/// Faces without a file from which on the names of six pictures are no names of faces.
-const MOSTLY_UNNAMED: usize = 4;
+/// Files with the name of a face up to which six pictures count as not named.
+const MOSTLY_UNNAMED: usize = 2;
+
+/// Files whose names hold that of a face which is no single letter.
+fn named_by_more_than_initials(separate: &[Vec<Reading>]) -> usize {
+    separate.iter().filter(|all| all.iter().any(|reading| !reading.family.is_of_initials())).count()
+}
 
 /// Six names that differ only in a number that counts from one to the next.
 fn numbered<'a>(names: &[&'a str]) -> Option<Selection> {
