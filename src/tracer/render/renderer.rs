@@ -185,19 +185,14 @@ impl SceneSampler<'_> {
     /// Origin and direction, of any length, of the camera ray of a sample, and its place in the pixel.
     #[inline(always)]
     pub fn set_out(&self, [x, y]: [usize; 2], sampler: &mut PixelSampler) -> (DVec3, DVec3, FilteredPlace) {
-        let (place, lens_place) = self.place(sampler);
+        let (place, lens_place) = if self.centred && self.scene.camera.lens().is_none() {
+            (FilteredPlace { across: 0.5, down: 0.5, weight: 1.0 }, [0.5, 0.5])
+        } else {
+            let [across, down, lens_x, lens_y] = sampler.four().map(f64::from);
+            (self.sampling.filter.place([across, down]), [lens_x, lens_y])
+        };
         let (origin, towards) = self.source.sight(x as f64 + place.across, y as f64 + place.down, lens_place);
         (origin, towards, place)
-    }
-
-    /// The places of a sample in its pixel and on the lens.
-    #[inline(always)]
-    fn place(&self, sampler: &mut PixelSampler) -> (FilteredPlace, [f64; 2]) {
-        if self.centred && self.scene.camera.lens().is_none() {
-            return (FilteredPlace { across: 0.5, down: 0.5, weight: 1.0 }, [0.5, 0.5]);
-        }
-        let [across, down, lens_x, lens_y] = sampler.four().map(f64::from);
-        (self.sampling.filter.place([across, down]), [lens_x, lens_y])
     }
 }
 
