@@ -81,9 +81,10 @@ fn value(scene: &Scene, event: &Event) -> Value {
             "event": "sampled_light", "direction": vector(ray.direction), "density": density, "weight": weight,
             "blocked": radiance.is_none(), "radiance": radiance.map(colour),
         }),
-        Event::Added { what, contribution } => {
-            json!({ "event": "added", "what": what, "contribution": colour(contribution) })
+        Event::Added { what, weight, contribution } => {
+            json!({ "event": "added", "what": what, "weight": weight, "contribution": colour(contribution) })
         }
+        Event::Survived { probability } => json!({ "event": "survived", "probability": probability }),
         _ => branch(event),
     }
 }

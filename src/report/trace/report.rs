@@ -82,7 +82,13 @@ impl TraceReport<'_> {
                 let towards = vector(ray.direction);
                 vec![format!("ray to a light towards {towards}, density {density:.6}, weight {weight}: {found}")]
             }
-            Event::Added { what, contribution } => vec![format!("pixel + {} ({what})", colour(contribution))],
+            Event::Added { what, weight, contribution } => {
+                let counted = if weight == 1.0 { String::new() } else { format!(", weight {weight}") };
+                vec![format!("pixel + {} ({what}{counted})", colour(contribution))]
+            }
+            Event::Survived { probability } => {
+                vec![format!("goes on by a random decision of probability {probability}: x {}", 1.0 / probability)]
+            }
             Event::End { radiance } => radiance.map(|radiance| format!("= {}", colour(radiance))).into_iter().collect(),
             _ => vec![branch_line(event)],
         }

@@ -107,10 +107,11 @@ impl<'a> Integrator<'a> {
     /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
     pub fn left_out(&self) -> Vec<String> {
         let mut items = self.lights.left_out(self.plan);
-        let wing = match self.wing {
+        let wing = match &self.wing {
             ReadyWing::Textbook => None,
             ReadyWing::SideBySide(_) => Some("rays are traced side by side, to the same bits"),
-            ReadyWing::Guided(_) => Some("paths are guided to light behind glass and mirrors, with the same mean"),
+            ReadyWing::Guided(guided) if guided.has_photons() => Some("photons guide paths, with the same mean"),
+            ReadyWing::Guided(_) => Some("both branches of glass are followed, with the same mean"),
         };
         items.extend(wing.map(|wing| format!("{wing}: the textbook's code is not used (--textbook renders with it)")));
         items

@@ -45,6 +45,8 @@ pub struct Plan {
     pub light_sampling: bool,
     /// Tables are built that draw directions by the brightness of the environment.
     pub environment_sampling: bool,
+    /// There are mirrors, smooth metal or smooth glass, which can focus light.
+    pub focuses: bool,
     /// A photon pass learns where mirrors and glass focus light: there are such, and surfaces to show it. (Left out after
     /// all if no light source is small and bright.)
     pub caustics: bool,
@@ -88,7 +90,8 @@ impl Plan {
         let environment_sampling = samples_lights && bright;
         let light_sampling = environment_sampling || samples_lights && any(Material::is_emissive);
         let fast = scene.integrator.fast;
-        let caustics = fast && light_sampling && scene.integrator.caustics == Caustics::Auto && any(Material::focuses);
+        let focuses = any(Material::focuses);
+        let caustics = fast && light_sampling && scene.integrator.caustics == Caustics::Auto && focuses;
         let branches = fast && path && traces && any(Material::is_smooth_glass);
         let wing = match integrator {
             IntegratorKind::Phong | IntegratorKind::Whitted if fast => Wing::SideBySide,
@@ -98,6 +101,7 @@ impl Plan {
         Self {
             integrator,
             strategy,
+            focuses,
             caustics,
             branches,
             wing,
@@ -130,9 +134,9 @@ impl Plan {
         item(self.light_sampling && !self.environment_sampling, "black environment: no tables to sample it");
         let reason = match scene.integrator.caustics {
             _ if no_depth => "depth 0",
-            _ if !scene.integrator.fast => "textbook only",
             Caustics::Off => "caustics off",
             Caustics::Auto if !self.light_sampling => "no rays sent to lights with an extent",
+            Caustics::Auto if !scene.integrator.fast && self.focuses => "textbook only",
             Caustics::Auto => "no mirror and no smooth glass beside other surfaces",
         };
         item(!self.caustics, &format!("{reason}: no photon pass"));

@@ -82,12 +82,18 @@ pub enum Event {
     CutByDepth { kind: RayKind, depth: u32 },
     /// A branch is not followed by a random decision.
     CutByWeight { kind: RayKind, weight: f32 },
+    /// A path went on by a random decision, and counts for those that did not.
+    Survived {
+        /// The probability of that.
+        probability: f32,
+    },
     /// A light with an extent was drawn, and counts with the weight of multiple importance sampling.
     SampledLight { ray: Ray, density: f64, weight: f32, radiance: Option<Vec3> },
     /// A direction was drawn to go on.
     Scattered { specular: bool, transmitted: bool, density: f64, weight: Vec3 },
-    /// Light found was added to the pixel: what the path carried to here times what arrives.
-    Added { what: &'static str, contribution: Vec3 },
+    /// Light found was added to the pixel: what the path carried to here times what arrives, times the weight that it counts
+    /// beside another way to find it.
+    Added { what: &'static str, weight: f32, contribution: Vec3 },
     /// The ray is done: what it brought back; `None` where the path adds to the pixel instead.
     End { radiance: Option<Vec3> },
 }

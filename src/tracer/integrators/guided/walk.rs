@@ -43,6 +43,11 @@ impl<'a> GuidedTracer<'a> {
         (caustics.is_some() || plan.branches).then_some(Self { scene, plan, caustics })
     }
 
+    /// True if a photon pass found focused light.
+    pub fn has_photons(&self) -> bool {
+        self.caustics.is_some()
+    }
+
     /// The radiance along a camera ray that starts inside of the given glasses.
     pub fn radiance(
         &self,

@@ -100,8 +100,8 @@ impl<O: Observer> PathTracer<'_, O> {
     }
 
     /// Adds light to the pixel.
-    pub fn add(&mut self, what: &'static str, contribution: Vec3) {
-        self.task.observer.note(|| Event::Added { what, contribution });
+    pub fn add(&mut self, what: &'static str, weight: f32, contribution: Vec3) {
+        self.task.observer.note(|| Event::Added { what, weight, contribution });
         self.radiance += contribution;
     }
 
@@ -115,11 +115,10 @@ impl<O: Observer> PathTracer<'_, O> {
         let transmittance = self.glass.transmittance(|| media.innermost(), f64::INFINITY);
         let environment = self.task.scene.environment.radiance(direction);
         self.task.observer.note(|| Event::Missed { direction, environment, transmittance });
-        self.add("environment, met by chance", carried * transmittance * environment * weight);
+        self.add("environment, met by chance", weight, carried * transmittance * environment * weight);
     }
 
-    /// What a surface shows without any light: what it emits, which counts `weight`, or a colour for debugging. `None` if
-    /// nothing.
+    /// What a surface shows without any light: its emission, which counts `weight`, or a colour for debugging.
     pub fn add_own_light(
         &mut self,
         carried: Vec3,
@@ -129,14 +128,15 @@ impl<O: Observer> PathTracer<'_, O> {
         weight: impl FnOnce() -> f32,
     ) -> Option<()> {
         let (what, colour) = match material {
-            Material::Light { radiance } if view.side == Side::Front => (EMITTED, *radiance * weight()),
+            Material::Light { radiance } if view.side == Side::Front => (EMITTED, *radiance),
             _ => debug_colour(material, surface)?,
         };
-        self.add(what, carried * colour);
+        let weight = if material.is_emissive() { weight() } else { 1.0 };
+        self.add(what, weight, carried * (colour * weight));
         Some(())
     }
 
-    /// The light of one light source with an extent, by a ray sent to it. `None` if it adds nothing.
+    /// The light of one light source with an extent, by a ray sent to it.
     pub fn add_sampled_light(&mut self, carried: Vec3, vertex: &Vertex, media: &MediumStack) -> Option<()> {
         if self.lights.is_empty() {
             return None;
@@ -159,7 +159,7 @@ impl<O: Observer> PathTracer<'_, O> {
         let (radiance, distance) = found?;
         let transmittance = self.glass.transmittance(|| vertex.media_of(&ray, media).innermost(), distance);
         let share = evaluation.value * (f64::from(weight) / light.density) as f32;
-        self.add("light, by a ray sent to it", carried * share * transmittance * radiance);
+        self.add("light, by a ray sent to it", weight, carried * share * transmittance * radiance);
         Some(())
     }
 
@@ -185,7 +185,7 @@ impl<O: Observer> PathTracer<'_, O> {
             let contribution = carried * value * transmittance * arriving.irradiance;
             let outcome = LightOutcome::Free { ray, distance, cosine: towards.z, contribution };
             self.task.observer.note(|| Event::Light { number, outcome });
-            self.add("light from a single direction", contribution);
+            self.add("light from a single direction", 1.0, contribution);
         }
     }
 
@@ -214,6 +214,7 @@ impl<O: Observer> PathTracer<'_, O> {
             self.task.observer.note(|| Event::CutByWeight { kind: RayKind::Scattered, weight: carried });
             return None;
         }
+        self.task.observer.note(|| Event::Survived { probability: chance });
         Some(chance)
     }
 }

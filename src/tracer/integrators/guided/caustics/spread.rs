@@ -75,7 +75,7 @@ impl Spread {
 /// The axes of the ellipse that two vectors (at right angles to `normal`, more or less) make of the unit circle, and their
 /// lengths: the singular value decomposition of two columns (Golub and Van Loan, Matrix Computations, section 8.6).
 fn ellipse_axes([one, other]: [DVec3; 2], normal: DVec3) -> ([DVec3; 2], [f64; 2]) {
-    // SpecularEvent the circle so that the images of its axes are at right angles.
+    // Turn the circle so that the images of its axes are at right angles.
     let (difference, product) = (one.length_squared() - other.length_squared(), 2.0 * one.dot(other));
     let angle = 0.5 * crate::math::functions::arctan2(product, difference);
     let (sine, cosine) = (crate::math::functions::sin(angle), crate::math::functions::cos(angle));
