@@ -4,7 +4,6 @@ use super::explanation::FaceGrade;
 use super::placement::{Placement, ShotFrame, on_screen};
 use super::{Alternative, Grade, Misfit};
 use crate::envmap::{Face, Lookup, Orientation, SignedAxis};
-use crate::validate::search::symmetry::orientation_between;
 
 /// A slip that explains what the shots show.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -94,7 +93,7 @@ fn exchanged_cases(faces: &[FaceGrade; 6], lookup: &Lookup) -> Option<Cause> {
     let wrong: Vec<Face> = faces.iter().filter(|face| face.is_wrong()).map(|face| face.face).collect();
     let [one, other] = wrong[..] else { return None };
     let reads_as = |face: Face, other: Face| {
-        let orientation = Orientation::ALL[orientation_between(lookup.row(face), lookup.row(other))];
+        let orientation = Orientation::between(lookup.row(face), lookup.row(other));
         faces[face.index()].possible.contains(&Placement { image: lookup.row(other).image, orientation })
     };
     let exchanged = one.axis() == other.axis() && reads_as(one, other) && reads_as(other, one);
