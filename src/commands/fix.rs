@@ -66,7 +66,7 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     }
     let still_broken = check.verdict == Verdict::Broken && (check.fix.changes == 0 || !check.unrepaired().is_empty());
     if still_broken && check.unrepaired().is_empty() {
-        super::remark(format_args!("broken, but no change is certain; nothing was changed\n"));
+        remark(format_args!("broken, but no change is certain; nothing was changed\n"));
     }
     Ok(if still_broken { Outcome::Faults } else { Outcome::Clean })
 }
