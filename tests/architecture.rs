@@ -17,7 +17,7 @@ const PACKAGES: [(&str, &str); 4] = [
 ];
 
 /// Modules in their order, each may import those before it.
-const ORDERS: [&[&str]; 2] = [
+const ORDERS: [&[&str]; 3] = [
     &[
         "skycube_tracer::parallel",
         "skycube_tracer::math",
@@ -33,6 +33,12 @@ const ORDERS: [&[&str]; 2] = [
         "skycube_tracer::scene",
         "skycube_tracer::integrators",
         "skycube_tracer::render",
+    ],
+    &[
+        "skycube_tracer::integrators::common",
+        "skycube_tracer::integrators::textbook",
+        "skycube_tracer::integrators::side_by_side",
+        "skycube_tracer::integrators::guided",
     ],
     &["skycube::lessons", "skycube::report", "skycube::commands"],
 ];

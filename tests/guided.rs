@@ -34,34 +34,43 @@ fn mean(scene: &Scene, plan: &Plan) -> (f64, f64) {
     (mean, (variance / count).sqrt())
 }
 
-/// An error says by how many standard errors the means of both are apart, if that is more than four.
-fn differs_from_textbook(mut scene: Scene, what: &str) -> Option<String> {
+/// True if paths of the scene are guided, after a look at its light, too.
+fn is_guided(scene: &Scene) -> bool {
+    Integrator::new(scene, &Plan::new(scene)).unwrap().wing() == Wing::Guided
+}
+
+/// What is wrong if the means of both are more than four standard errors apart, or if these are more than `telling` of the
+/// mean: then the comparison would say nothing.
+fn differs_from_textbook(mut scene: Scene, telling: f64, what: &str) -> Option<String> {
     let plan = Plan::new(&scene);
-    assert_eq!(plan.wing, Wing::Guided, "{what}");
     let (guided, error) = mean(&scene, &plan);
     let plan = scenes::textbook_plan(&mut scene);
     let (textbook, other) = mean(&scene, &plan);
     let apart = (guided - textbook).abs() / error.hypot(other);
-    (apart > 4.0)
+    let told = 4.0 * error.hypot(other) < telling * textbook;
+    (apart > 4.0 || !told)
         .then(|| format!("{what}: {guided} +- {error} and {textbook} +- {other}, {apart:.1} standard errors apart"))
 }
 
 #[test]
 fn every_guided_scene_of_the_lessons_has_the_mean_of_the_textbook() {
-    let guided = |scene: &Scene| scene.integrator.kind == IntegratorKind::Path && Plan::new(scene).wing == Wing::Guided;
-    let lessons: Vec<_> = scenes::of_lessons().into_iter().filter(|(_, scene)| guided(scene)).collect();
-    let wrong: Vec<String> = lessons
-        .into_iter()
-        .filter_map(|(file, scene)| differs_from_textbook(scene, &file.display().to_string()))
-        .collect();
+    let lessons = scenes::of_lessons().into_iter().filter(|(_, scene)| scene.integrator.kind == IntegratorKind::Path);
+    let guided: Vec<_> = lessons.filter(|(_, scene)| is_guided(scene)).collect();
+    assert!(guided.len() >= 3, "{}", guided.len());
+    let differs = |(file, mut scene): (std::path::PathBuf, Scene)| {
+        // Small lamps behind glass: chance finds them rarely.
+        scene.samples = 64;
+        differs_from_textbook(scene, 0.2, &file.display().to_string())
+    };
+    let wrong: Vec<String> = guided.into_par_iter().filter_map(differs).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
 
 #[test]
 fn random_scenes_have_the_mean_of_the_textbook() {
-    let seeds = (0..).filter(|&seed| Plan::new(&scenes::random_focusing(seed)).wing == Wing::Guided);
-    let seeds: Vec<u64> = seeds.take(scenes::RANDOM_SCENES as usize).collect();
-    let differs = |&seed: &u64| differs_from_textbook(scenes::random_focusing(seed), &format!("scene {seed}"));
+    let guided = (0..).filter(|&seed| is_guided(&scenes::random_focusing(seed)));
+    let seeds: Vec<u64> = guided.take(scenes::RANDOM_SCENES as usize).collect();
+    let differs = |&seed: &u64| differs_from_textbook(scenes::random_focusing(seed), 0.1, &format!("scene {seed}"));
     let wrong: Vec<String> = seeds.par_iter().filter_map(differs).collect();
     assert!(wrong.is_empty(), "{wrong:#?}");
 }

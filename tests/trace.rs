@@ -135,6 +135,11 @@ fn a_trace_says_where_the_picture_has_other_noise() {
         { kind = \"sphere\", centre = [1, 0, 3], radius = 0.2, material = \"lamp\" }]\n";
     std::fs::write(folder.path().join("a.toml"), scene).unwrap();
     let said = "The picture is rendered by guided paths, with the same mean and other noise";
+    // Without a lamp and glass nothing guides.
+    let dark = scene.replace("kind = \"glass\"", "kind = \"mirror\"").replace("radiance = 9", "radiance = 0");
+    std::fs::write(folder.path().join("dark.toml"), dark).unwrap();
+    let (code, text, error) = skycube(folder.path(), &["trace", "dark.toml", "--pixel", "4,4"]);
+    assert_eq!((code, text.contains(said)), (Some(0), false), "{text}{error}");
     for (more, noted) in [(&[][..], true), (&["--textbook"], false)] {
         let arguments = [&["trace", "a.toml", "--pixel", "4,4"], more].concat();
         let (code, text, error) = skycube(folder.path(), &arguments);

@@ -208,7 +208,7 @@ fn without_depth_the_path_tracer_leaves_out_for_that_reason() {
          shapes = [{ kind = \"sphere\", material = \"a\" }, { kind = \"sphere\", material = \"b\" }]\n",
     );
     insta::assert_snapshot!(Plan::new(&lit).left_out(&lit).join("\n"), @r"
-    no point, spot or directional light: no rays to such
+    no point, spot or directional light: no rays to any
     depth 0: no rays sent to lights with an extent
     depth 0: no photon pass
     depth 0: no reflected or refracted rays

@@ -1,7 +1,7 @@
 //! One pixel, watched.
 
 use crate::error::Result;
-use crate::integrators::{Blind, Event, Recorder};
+use crate::integrators::{Blind, Event, Integrator, Recorder};
 use crate::math::Vec3;
 use crate::render::{PixelSample, Renderer};
 use crate::scene::{Plan, Scene, Wing};
@@ -15,6 +15,8 @@ pub struct PixelTrace {
     pub samples: Vec<PixelSample>,
     /// The number of the sample that was watched.
     pub shown: u32,
+    /// The code that renders the picture; the pixel was followed by the textbook's.
+    pub wing: Wing,
     /// What happened on the way of that sample.
     pub events: Vec<Event>,
     /// Linear radiance: the same bits that the renderer writes, or where it guides paths, one of the same mean.
@@ -25,6 +27,7 @@ impl PixelTrace {
     /// Takes all samples of a pixel, and watches one of them. An error tells that a picture of the environment cannot be
     /// decoded.
     pub fn of(scene: &Scene, plan: &Plan, pixel: [usize; 2], shown: u32) -> Result<Self> {
+        let wing = Integrator::new(scene, plan)?.wing();
         // Only the textbook's code is watched.
         let plan = Plan { wing: Wing::Textbook, ..*plan };
         let renderer = Renderer::new(scene, &plan)?;
@@ -39,6 +42,6 @@ impl PixelTrace {
             return Err(error.clone());
         }
         let colour = renderer.develop_pixel(&samples);
-        Ok(Self { pixel, samples, shown, events: recorder.events, colour })
+        Ok(Self { pixel, samples, shown, wing, events: recorder.events, colour })
     }
 }

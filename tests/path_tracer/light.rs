@@ -1,7 +1,8 @@
 //! Light along single rays, against closed forms.
 
 use clap::ValueEnum;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
+use skycube::picture::{Raster, WriteOptions, write};
 use skycube::scene::{Scene, Strategy};
 
 use crate::support::*;
@@ -110,4 +111,24 @@ fn the_depth_limit_counts_the_surfaces_that_light_meets() {
     assert_eq!(shown(&scene), 0.125);
     scene.integrator.depth = 2;
     assert_eq!(shown(&scene), 0.0);
+}
+
+#[test]
+fn a_texel_that_is_no_number_harms_its_own_pixels_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("texels.exr");
+    let mut raster = Raster::filled(4, 4, Vec3::splat(0.5));
+    raster.pixels_mut()[5] = Vec3::new(f32::INFINITY, 0.5, 0.5);
+    raster.pixels_mut()[10] = Vec3::NAN;
+    write(&raster, &file, &WriteOptions::default()).unwrap();
+    let scene = scene(&format!(
+        "environment = {{ kind = \"gradient\", zenith = [0.3, 0.5, 0.9], horizon = 0.6, nadir = 0.1 }}\n\
+         camera = {{ position = [0, -0.01, 4], target = [0, 0, 0], size = [16, 16], samples = 2 }}\n\
+         materials.floor = {{ kind = \"lambert\", colour = {{ image = \"{}\" }} }}\n\
+         shapes = [{{ kind = \"rectangle\", size = [2, 2], material = \"floor\" }}]\n",
+        file.display()
+    ));
+    let raster = rendering(&scene).raster;
+    let finite = raster.pixels().iter().filter(|pixel| pixel.is_finite()).count();
+    assert!((128..256).contains(&finite), "{finite}");
 }

@@ -107,7 +107,7 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     };
     let mirror = "materials.a = { kind = \"mirror\" }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{mirror}")), @r"
-    no point, spot or directional light: no rays to such
+    no point, spot or directional light: no rays to any
     no emissive shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
     no rays sent to lights with an extent: no photon pass
     no glass: no refracted rays, no media
@@ -116,7 +116,7 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     ");
     let matt = "materials.a = { kind = \"lambert\", colour = 1 }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
     insta::assert_snapshot!(left_out(matt), @r"
-    no point, spot or directional light: no rays to such
+    no point, spot or directional light: no rays to any
     no emissive shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
     no rays sent to lights with an extent: no photon pass
     no glass: no refracted rays, no media
@@ -124,7 +124,7 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     1 shape, too few: no hierarchy over them
     ");
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{matt}")), @r"
-    no point, spot or directional light: no rays to such
+    no point, spot or directional light: no rays to any
     no mirror and no smooth glass beside other surfaces: no photon pass
     no glass: no refracted rays, no media
     no environment picture: nothing decoded

@@ -71,6 +71,16 @@ pub fn random_whitted(seed: u64) -> Scene {
         });
     }
     let far = if random.below(4) == 0 { 1000.0 } else { 1.0 };
+    match random.below(4) {
+        // Glass that touches glass, and glass around the camera, out of which rays may miss everything.
+        0 => shapes.push(
+            "{ kind = \"box\", minimum = [-2, -2, 0.1], maximum = [-1, -1, 1.1], material = \"glass\" }, \
+             { kind = \"box\", minimum = [-1, -2, 0.1], maximum = [0, -1, 1.1], material = \"tinted\" }"
+                .to_owned(),
+        ),
+        1 => shapes.push("{ kind = \"sphere\", centre = [0, -6, 2], radius = 1, material = \"tinted\" }".to_owned()),
+        _ => {}
+    }
     let lens = if random.below(4) == 0 { "aperture = 0.1, focus = 5," } else { "" };
     let (filter, samples) = (pick(random, &["box", "gaussian", "tent"]), 1 + random.below(3));
     let integrator = pick(random, &["whitted", "whitted", "whitted", "phong"]);
@@ -106,7 +116,7 @@ pub fn random_whitted(seed: u64) -> Scene {
     ))
 }
 
-/// A scene whose light goes through glass and over mirrors: balls, a prism or glass in glass between lamps and a floor. The
+/// A scene whose light goes through glass and over mirrors: spheres, a prism or glass in glass between lamps and a floor. The
 /// lamps are so large that chance finds them, too.
 pub fn random_focusing(seed: u64) -> Scene {
     let random = &mut Random(seed);
@@ -125,7 +135,7 @@ pub fn random_focusing(seed: u64) -> Scene {
         });
     }
     for number in 0..1 + random.below(3) {
-        let material = pick(random, &["glass", "tinted", "mirror", "gold", "clay"]);
+        let material = pick(random, &["glass", "tinted", "mirror", "gold", "clay", "coated", "shiny"]);
         let (x, y, radius) = (1.5 * number as f64 - 1.0, random.unit() - 0.5, 0.4 + 0.3 * random.unit());
         shapes.push(match random.below(4) {
             0 => format!(
@@ -147,13 +157,25 @@ pub fn random_focusing(seed: u64) -> Scene {
         });
     }
     let sky = pick(random, &["0", "[0.3, 0.4, 0.6]"]);
-    let (depth, strategy) = (3 + random.below(6), pick(random, &["auto", "auto", "mis", "light"]));
+    let (depth, strategy) = (3 + random.below(9), pick(random, &["auto", "auto", "mis", "light"]));
+    // Dark floors let paths end at random.
+    let floor = pick(random, &["0.6", "0.2", "[0.5, 0.2, 0.1]"]);
+    let light = pick(
+        random,
+        &[
+            "",
+            "{ kind = \"point\", position = [-3, -2, 4], intensity = 9 }",
+            "{ kind = \"directional\", direction = [1, 2, -3], irradiance = 0.8 }",
+        ],
+    );
     parse(&format!(
         "camera = {{ position = [0, -4, 2.5], target = [0, 0, 0.3], size = [12, 8], samples = 8 }}\n\
          environment = {{ kind = \"constant\", radiance = {sky} }}\n\
          integrator = {{ kind = \"path\", depth = {depth}, strategy = \"{strategy}\" }}\n\
-         materials.floor = {{ kind = \"lambert\", colour = 0.6 }}\nmaterials.clay = {{ kind = \"lambert\", colour = 0.5 }}\n\
-         materials.lamp = {{ kind = \"light\", radiance = 8 }}\nmaterials.warm = {{ kind = \"light\", radiance = [9, 6, 3] }}\n\
+         materials.floor = {{ kind = \"lambert\", colour = {floor} }}\nmaterials.clay = {{ kind = \"lambert\", colour = 0.5 }}\n\
+         materials.coated = {{ kind = \"coated\", colour = 0.5 }}\n\
+         materials.shiny = {{ kind = \"phong\", diffuse = 0.4, specular = 0.4, exponent = 30 }}\n\
+         lights = [{light}]\nmaterials.lamp = {{ kind = \"light\", radiance = 8 }}\nmaterials.warm = {{ kind = \"light\", radiance = [9, 6, 3] }}\n\
          materials.glass = {{ kind = \"glass\" }}\nmaterials.mirror = {{ kind = \"mirror\", colour = [0.9, 0.7, 0.5] }}\n\
          materials.tinted = {{ kind = \"glass\", index = 1.8, absorption = [0.4, 0.1, 0] }}\n\
          materials.gold = {{ kind = \"metal\", metal = \"gold\", roughness = 0 }}\nshapes = [{}]\n",

@@ -199,7 +199,7 @@ fn coincident(effort: Effort) -> Vec<Measurement> {
     decades(-9, 9).map(of_size).collect()
 }
 
-/// SpherePack inside of one another.
+/// Spheres inside of one another.
 fn nested(effort: Effort) -> Vec<Measurement> {
     let of_depth = |depth: u32| {
         let faults = faults_of(effort.share(2e-4), u64::from(depth), |random| {

@@ -127,7 +127,7 @@ impl fmt::Display for TraceReport<'_> {
             "{}: pixel ({x}, {y}), sample {shown} of {count} (counted from 0), {integrator}\n",
             self.file
         )?;
-        if self.plan.wing == Wing::Guided {
+        if self.trace.wing == Wing::Guided {
             let same = "with the same mean and other noise";
             writeln!(formatter, "The picture is rendered by guided paths, {same}; these are the textbook's.\n")?;
         }

@@ -25,7 +25,7 @@ pub fn render_progressively(mut renderer: Renderer, budget: Budget, progress: &d
     let started = Instant::now();
     while let Some(count) = next_pass(renderer.samples(), budget, started.elapsed()) {
         if let Err(error) = renderer.add_samples(count, progress) {
-            // A pass that was begun leaves every tile right by itself.
+            // A pass that was begun leaves every row right by itself.
             let shown = renderer.rendering(true);
             return match progress.cancelled() {
                 true if shown.samples > 0 => Ok(shown),

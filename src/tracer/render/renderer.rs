@@ -127,7 +127,7 @@ impl SceneSampler<'_> {
     /// the environment cannot be decoded: then a sample that was begun is left out for the whole row.
     fn expose(&self, row: &mut FilmRow, y: usize, last: u32, room: &mut Room, progress: &dyn Progress) -> Result<()> {
         let (before, width) = (row.counts.traced(), self.source.size()[0]);
-        let work = width as u64 * u64::from(last - row.samples);
+        let work = width as u64 * u64::from(last.saturating_sub(row.samples));
         for index in row.samples..last {
             let mut counts = row.counts;
             self.sample_row(y, index, room, &mut counts, progress)?;

@@ -86,7 +86,8 @@ impl Aggregate {
         (nearest.id.shape != NONE).then_some(nearest)
     }
 
-    /// The nearest hits of rays; of rays that all start at one point by the view cones from there, if there are any.
+    /// The nearest hits of rays; of rays that all start at one point by the view cones from there, unless there are
+    /// meshes or a hierarchy.
     #[inline]
     pub fn intersect_all<'r>(
         &self,

@@ -154,7 +154,7 @@ impl Plan {
         item(normals, "normals only: no light, no environment, no secondary rays");
         if !normals {
             let (lights, consequence) = match self.integrator {
-                IntegratorKind::Path => ("no point, spot or directional light", "no rays to such"),
+                IntegratorKind::Path => ("no point, spot or directional light", "no rays to any"),
                 _ => ("no lights", "no direct light, no shadow rays"),
             };
             let reason = if scene.lights.is_empty() { lights } else { "nothing that lights shade" };

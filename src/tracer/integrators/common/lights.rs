@@ -165,7 +165,7 @@ impl LightTables {
     }
 }
 
-/// The shapes that shine, with their power for a share.
+/// The emissive shapes, with their power for a share.
 fn shape_lights(scene: &Scene) -> Vec<ShapeLight> {
     let emission = |material: u32| scene.materials[material as usize].emission();
     let emits = |material: u32| emission(material) != Vec3::ZERO;

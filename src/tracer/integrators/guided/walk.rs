@@ -9,7 +9,8 @@
 //! ```
 //!
 //! Lesson 11 measures what photons save. Both branches of glass, under a sky without small lights: a quarter less time to the
-//! same error for a glass ball, a mirror ball and a grey one (`skycube converge SCENE` with and without `--textbook`).
+//! same error for a glass ball, a mirror ball and a grey one (`skycube converge` with and without `--textbook`: 93 269
+//! against 70 753 for 1/(MSE s) at 16 samples).
 
 use super::caustics::{CausticGuide, Directions, FocusedDirection, Signature, SpecularEvent, branch};
 use crate::integrators::common::lights::{LightTables, power_heuristic, weight_of_chance};
