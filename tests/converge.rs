@@ -233,7 +233,7 @@ fn every_line_of_the_plot_is_drawn_in_its_colour() {
         assert!(drawing.width() == 1600 && count([255; 3]) > drawing.width() * drawing.height() / 2);
     }
     let svg = draw_convergence(&report, Measure::Rmse).to_svg();
-    for text in ["strategy=bsdf", "strategy=mis", "error of the reference", "samples a pixel", "seconds", "lamp.toml"] {
+    for text in ["strategy=bsdf", "strategy=mis", "error of the reference", "samples per pixel", "seconds", "lamp.toml"] {
         assert!(svg.contains(text), "{text}");
     }
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));

@@ -33,7 +33,7 @@ pub struct ConvergeArguments {
     /// The folder to write to [default: converge- and the scene's name, in this folder]
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
-    /// Measure at these samples a pixel
+    /// Measure at these samples per pixel
     #[arg(long, visible_alias = "spp", value_name = "N,N,...", default_value = "1,4,16,64", conflicts_with = "time")]
     samples: SampleSteps,
     /// Measure at 1, 4, 16, ... samples until every rendering has taken so long, such as 10s, 500ms or 2m
@@ -49,7 +49,7 @@ pub struct ConvergeArguments {
     /// Renderings of everything, each with a seed of its own: errors are means over them, bias is told from noise by them
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=16))]
     seeds: u32,
-    /// Samples a pixel of the reference [default: 16 times the last step; 1024 with --time]
+    /// Samples per pixel of the reference [default: 16 times the last step; 1024 with --time]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1 << 24))]
     reference_samples: Option<u32>,
     /// The error that the plot shows

@@ -19,7 +19,7 @@ use skycube_tracer::memory::check_memory;
 /// What the command line may say instead of the scene file.
 #[derive(Debug, Args)]
 pub struct SceneOverrides {
-    /// Samples a pixel
+    /// Samples per pixel
     #[arg(long, visible_alias = "spp", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub samples: Option<u32>,
     #[command(flatten)]
@@ -108,7 +108,7 @@ pub struct PictureOptions {
     /// How radiance above 1 is brought into range in PNG and JPEG [default: the scene's, or clamp]
     #[arg(long, value_enum)]
     pub tone_map: Option<ToneMap>,
-    /// Bits a channel in PNG
+    /// Bits per channel in PNG
     #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
     pub bits: String,
     /// JPEG quality, 1 to 100

@@ -97,7 +97,7 @@ fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<
 
 fn write(arguments: &RenderArguments, scene: &Scene, rendering: &Rendering, output: &Path) -> Result<()> {
     let options = arguments.picture.write_options(scene.output);
-    let remark = format!("stopped after {} samples a pixel of {}", rendering.samples, scene.samples);
+    let remark = format!("stopped after {} samples per pixel of {}", rendering.samples, scene.samples);
     let layers = rendering.layers.as_ref().map(Layers::named);
     let extras = Extras {
         layers: layers.as_ref().map_or(&[], |layers| layers.as_slice()),

@@ -20,7 +20,7 @@ pub struct StressArguments {
     /// Rays spent on self-intersection; the other cases take their share of it
     #[arg(long, value_name = "N", default_value_t = Effort::FULL.rays as u64, value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
     rays: u64,
-    /// Draw error against magnitude, a curve a case: .svg or .png
+    /// Draw error against magnitude, one curve per case: .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Print the report as JSON

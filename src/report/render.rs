@@ -21,7 +21,7 @@ pub struct RenderReport {
     pub picture: String,
     pub width: usize,
     pub height: usize,
-    /// Samples a pixel.
+    /// Samples per pixel.
     pub samples: u32,
     /// True if Ctrl-C ended it before all samples were taken.
     pub stopped: bool,
@@ -120,7 +120,7 @@ impl RenderReport {
         let rays = &self.rays;
         writeln!(
             formatter,
-            "rays  {} ({:.1} million a second): camera {}, reflected {}, refracted {}, shadow {}",
+            "rays  {} ({:.1} million per second): camera {}, reflected {}, refracted {}, shadow {}",
             grouped(rays.traced()),
             self.rays_per_second / 1e6,
             grouped(rays.camera),

@@ -29,7 +29,7 @@ fn a_point_out_of_focus_is_spread_over_the_disc_that_the_lens_casts() {
                 materials.lamp = { kind = \"light\", radiance = 1000 }\n\
                 shapes = [{ kind = \"sphere\", centre = [0, 10, 0], radius = 0.05, material = \"lamp\" }]\n";
     let raster = rendering(&scene(text)).raster;
-    // Half the picture is 0.5 at distance 1: 64 pixels a unit.
+    // Half the picture is 0.5 at distance 1: 64 pixels per unit.
     let radius = 0.5 * (0.5 - 0.1) * 64.0;
     for y in 0..64 {
         for x in 0..64 {

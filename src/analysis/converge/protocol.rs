@@ -10,7 +10,7 @@ pub struct Protocol<'a> {
     pub schedule: Schedule,
     /// Renderings of every variant, each with a seed of its own; at least 2, for the bias cannot be told from one.
     pub seeds: u32,
-    /// Samples a pixel of a reference, over both of its halves.
+    /// Samples per pixel of a reference, over both of its halves.
     pub reference_samples: u32,
     /// The folder where references are kept; `None` keeps none.
     pub cache: Option<&'a Path>,

@@ -5,13 +5,13 @@ use std::time::Duration;
 /// The steps of a rendering.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Schedule {
-    /// At these counts of samples a pixel, ascending.
+    /// At these counts of samples per pixel, ascending.
     Samples(Vec<u32>),
     /// At 1, 4, 16, ... samples as long as they fit into the time, and when it is over.
     Time(Duration),
 }
 
-/// The most samples a pixel, whatever the time.
+/// The most samples per pixel, whatever the time.
 const MOST_SAMPLES: f64 = (1 << 24) as f64;
 
 /// A step that adds less than this share is not worth a point in a plot.

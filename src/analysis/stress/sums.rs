@@ -16,7 +16,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         group: Group::Sums,
         name: "film",
         swept: "brightest / dimmest sample",
-        error: "mean of up to 10^6 samples a pixel against the exact sum, in f32 ulp",
+        error: "mean of up to 10^6 samples per pixel against the exact sum, in f32 ulp",
         unit: "ulp",
         bound: 1.0,
         promised: Range::new(1.0, 1e12),

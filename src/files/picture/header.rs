@@ -14,7 +14,7 @@ pub struct Header {
     pub width: usize,
     pub height: usize,
     pub format: Format,
-    /// Bits a channel in the file (1 to 32).
+    /// Bits per channel in the file (1 to 32).
     pub bit_depth: u8,
     /// True if the file has an alpha channel. Its colours are read as they stand; the alpha is not applied.
     pub alpha: bool,

@@ -110,7 +110,7 @@ fn header_of(decoder: &dyn ImageDecoder, encoded: &[u8], format: Format, orienta
     Ok(Header { width, height, format, bit_depth, alpha: colour.has_alpha() })
 }
 
-/// Bits a channel. The codecs widen small depths, so PNG and BMP are asked for theirs here; the colours of a palette
+/// Bits per channel. The codecs widen small depths, so PNG and BMP are asked for theirs here; the colours of a palette
 /// have 8 bits, whatever the width of its indices.
 fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
     const PNG_PALETTE: u8 = 3;
@@ -128,7 +128,7 @@ fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
     }
 }
 
-/// Three bytes a pixel, in memory for reading at random places.
+/// Three bytes per pixel, in memory for reading at random places.
 fn read_bytes(decoder: Box<dyn ImageDecoder + '_>) -> ImageResult<Samples> {
     let mut bytes = zeros_on_large_pages(0, decoder.total_bytes() as usize);
     decoder.read_image_boxed(&mut bytes)?;

@@ -98,7 +98,7 @@ fn ground() -> Color {
 
 fn heat_map(plane: &Plane) -> Pixmap {
     let size = IntSize::from_wh(plane.width() as u32, plane.height() as u32).expect("a plane has pixels");
-    Pixmap::from_vec(magma_bytes(plane.values()), size).expect("four bytes a pixel")
+    Pixmap::from_vec(magma_bytes(plane.values()), size).expect("four bytes per pixel")
 }
 
 #[cfg(test)]

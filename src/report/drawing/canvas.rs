@@ -133,7 +133,7 @@ pub(in crate::report) fn blank(width: usize, height: usize, colour: Color) -> Pi
 /// A raster as it is displayed.
 pub(in crate::report) fn displayed(raster: &Raster, tone_map: ToneMap) -> Pixmap {
     let size = IntSize::from_wh(raster.width() as u32, raster.height() as u32).expect("a raster has pixels");
-    Pixmap::from_vec(display_bytes(raster, tone_map), size).expect("four bytes a pixel")
+    Pixmap::from_vec(display_bytes(raster, tone_map), size).expect("four bytes per pixel")
 }
 
 /// A turn clockwise by a multiple of 90 degrees about the origin, exact (y points down).

@@ -13,7 +13,7 @@ use crate::math::Vec3;
 const REINSERTED: f32 = 0.05;
 
 /// The same once leaves are made. Half of the nodes would make the build of a million triangles 1.6 times as long (1.05
-/// instead of 0.64 s), for no ray a second more: measured side by side, within 2 % either way.
+/// instead of 0.64 s), for no more rays per second: measured side by side, within 2 % either way.
 const REINSERTED_AFTER: f32 = 0.1;
 
 /// Cost of testing a node, in tests of a leaf's primitive: large, because a leaf is tested as a whole.

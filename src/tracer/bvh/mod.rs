@@ -11,7 +11,7 @@
 //! nodes they visit one after the other: the four lines of a node come at the same time.
 //!
 //! Measured side by side, with the same rays through a million triangles, one thread: how many times as many rays a
-//! second as with four children a node, merged by area, whose leaves were not fetched ahead.
+//! second as with four children per node, merged by area, whose leaves were not fetched ahead.
 //!
 //! ```text
 //!                                            camera    random, from inside

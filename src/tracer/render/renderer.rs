@@ -55,7 +55,7 @@ impl<'a> Renderer<'a> {
         self
     }
 
-    /// Samples a pixel so far.
+    /// Samples per pixel so far.
     pub fn samples(&self) -> u32 {
         self.samples
     }

@@ -10,7 +10,7 @@ use crate::sampling::Sampling;
 /// The largest picture side in pixels.
 pub const MAXIMUM_SIDE: u32 = 65_536;
 
-/// The camera, its samples a pixel, and how they are chosen.
+/// The camera, its samples per pixel, and how they are chosen.
 pub(super) fn read(mut table: Table) -> Result<(Camera, u32, Sampling)> {
     let (camera, samples) = (read_camera(&mut table)?, read_samples(&mut table)?);
     let sampling = read_sampling(&mut table)?;

@@ -22,7 +22,7 @@ use crate::shapes::Primitive;
 #[derive(Debug)]
 pub struct Scene {
     pub camera: Camera,
-    /// Samples a pixel.
+    /// Samples per pixel.
     pub samples: u32,
     /// How the samples are chosen.
     pub sampling: Sampling,
@@ -56,7 +56,7 @@ impl Scene {
         Self::from_document(&Document::new(file, text), file, None)
     }
 
-    /// A scene without shapes or lights: every ray takes the environment. One sample a pixel.
+    /// A scene without shapes or lights: every ray takes the environment. One sample per pixel.
     pub fn of_environment(environment: Environment, camera: Camera) -> Self {
         Self {
             camera,

@@ -41,7 +41,7 @@ pub struct ObjMaterial {
 pub struct ObjMap {
     /// Joined to the folder of the MTL file.
     pub file: PathBuf,
-    /// `-s`: pictures a unit of the texture coordinates.
+    /// `-s`: pictures per unit of the texture coordinates.
     pub repeat: [f64; 2],
 }
 
