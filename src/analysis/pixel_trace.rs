@@ -15,7 +15,7 @@ pub struct PixelTrace {
     pub samples: Vec<PixelSample>,
     /// The number of the sample that was watched.
     pub shown: u32,
-    /// What happened on the way of that sample.
+    /// The events of that sample.
     pub events: Vec<Event>,
     /// Linear radiance: the same bits that the renderer writes, or where it guides paths, one of the same mean.
     pub colour: Vec3,

@@ -1,4 +1,4 @@
-//! Six files in a zip archive as downloaded, read in place.
+//! Six files in a downloaded zip archive, read without unpacking it.
 
 use std::fs::File;
 use std::io::{BufReader, Read};

@@ -1,7 +1,7 @@
 //! Memory for tables of many megabytes that are read at random places.
 //!
-//! The processor keeps the addresses of a few thousand pages at hand. With pages of 4 KB those are a few megabytes; in
-//! a larger table nearly every read has to look up its page first, in memory that is as far away as the data.
+//! The processor caches the addresses of a few thousand pages. With pages of 4 KB that covers a few megabytes; in a
+//! larger table nearly every read first looks up its page, in memory as slow as the data.
 //!
 //! ```text
 //!     table   |----------------------------------|

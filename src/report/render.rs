@@ -1,4 +1,4 @@
-//! What a rendering cost and what it left out.
+//! The report of `skycube render`: time, rays, and the work it left out.
 
 use std::fmt;
 use std::path::Path;
@@ -93,7 +93,7 @@ impl fmt::Display for RenderReport {
             wing.name()
         )?;
         if self.stopped {
-            writeln!(formatter, "      stopped by Ctrl-C: the picture is complete but noisier than asked for")?;
+            writeln!(formatter, "      stopped by Ctrl-C: the picture is complete, but noisier than requested")?;
         }
         writeln!(
             formatter,

@@ -1,4 +1,4 @@
-//! What `skycube shots` says: the files, and the camera to copy.
+//! The report of `skycube shots`: the files, and the camera to copy.
 
 use std::fmt;
 

@@ -1,4 +1,4 @@
-//! What the errors are measured against.
+//! The reference of the errors.
 
 use serde::Serialize;
 

@@ -18,7 +18,8 @@ const MOST_SAMPLES: f64 = (1 << 24) as f64;
 const LEAST_GROWTH: f64 = 1.25;
 
 impl Schedule {
-    /// The count of samples at the next step of a rendering that has so many after so long; `None` if it is finished.
+    /// The number of samples at the next step of a rendering, from its present samples and time; `None` if it is
+    /// finished.
     pub fn next(&self, samples: u32, elapsed: Duration) -> Option<u32> {
         match self {
             Schedule::Samples(steps) => steps.iter().copied().find(|&step| step > samples),

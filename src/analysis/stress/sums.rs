@@ -26,7 +26,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         group: Group::Sums,
         name: "film-uneven",
         swept: "brightest / dimmest sample",
-        error: "the same with filter weights that are not even",
+        error: "the same with unequal filter weights",
         unit: "ulp",
         bound: 1.0,
         promised: Range::new(1.0, 1e12),

@@ -1,4 +1,4 @@
-//! What a file says of its picture before any pixel is decoded.
+//! The header of a picture, read before any pixel is decoded.
 
 use super::{Format, jpeg_extent};
 use crate::error::{Error, Result};
@@ -53,6 +53,6 @@ pub(super) fn check_size(width: usize, height: usize, bytes_per_texel: usize) ->
 /// The error for a picture whose data do not decode.
 pub(super) fn damaged(format: Format, detail: impl std::fmt::Display) -> Error {
     Error::new(format!("this {} picture cannot be decoded: {detail}", format.name()))
-        .help("the file is damaged, incomplete or of an unsupported kind; download it again or save it anew as PNG")
+        .help("the file is damaged, incomplete or of an unsupported kind; download it again or save it again as PNG")
         .of_damage()
 }

@@ -1,4 +1,4 @@
-//! The formats that one writes by hand: PBM, PGM, PPM (Netpbm, P1 to P6) and PFM (floats).
+//! The formats that students write by hand: PBM, PGM, PPM (Netpbm, P1 to P6) and PFM (floats).
 
 use super::header::{check_size, damaged};
 use super::{Decoded, Format, Header, Samples};
@@ -15,7 +15,7 @@ struct Start<'a> {
     rest: &'a [u8],
 }
 
-/// True if the bytes begin as such a file does.
+/// True if the bytes begin like one of these files.
 pub fn is_netpbm(encoded: &[u8]) -> bool {
     matches!(encoded, [b'P', b'1'..=b'6' | b'F' | b'f', blank, ..] if blank.is_ascii_whitespace())
 }

@@ -43,7 +43,7 @@ pub fn encode_png(width: usize, height: usize, samples: PngSamples<'_>) -> Resul
         return Err(Error::new(format!("{width} x {height} is too large for PNG")));
     };
     if bytes.len() != expected || expected == 0 {
-        return Err(Error::new(format!("{} bytes are no picture of {width} x {height} pixels", bytes.len())));
+        return Err(Error::new(format!("{} bytes do not make a picture of {width} x {height} pixels", bytes.len())));
     }
     let mut encoded = Vec::new();
     PngEncoder::new_with_quality(&mut encoded, CompressionType::Fast, FilterType::Adaptive)

@@ -35,7 +35,7 @@ pub fn decode(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<
     Ok(Decoded { header, samples: orientation.applied(samples, [stored.0 as usize, stored.1 as usize]), space, notes })
 }
 
-/// The colour space that a file speaks of, and what of it is not heeded.
+/// The colour space that a file names, and a note on what is ignored.
 fn colours(
     encoded: &[u8],
     format: Format,
@@ -66,7 +66,7 @@ pub fn read_header(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Re
 
 fn open<'a>(encoded: &'a [u8], format: Format, loops: &dyn PixelLoops) -> Result<Box<dyn ImageDecoder + 'a>> {
     if format == Format::Tiff && tiff_tags::fill_order(encoded) == Some(2) {
-        return Err(damaged(format, "its bits are stored from the lowest on (FillOrder 2)"));
+        return Err(damaged(format, "its bits are stored from the lowest to the highest (FillOrder 2)"));
     }
     if format == Format::Hdr {
         radiance_header::check(encoded)?;

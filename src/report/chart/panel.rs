@@ -1,4 +1,4 @@
-//! Panels side by side, each with a grid and lines, and under them what the lines are.
+//! Panels side by side, each with a grid and lines, and a legend below.
 
 use super::super::drawing::{Anchor, text_width};
 use super::axis::Axis;

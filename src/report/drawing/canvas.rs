@@ -1,4 +1,4 @@
-//! What drawings are made of: text, arrows, lines, plates, pictures.
+//! The elements of drawings: text, arrows, lines, plates, pictures.
 
 use tiny_skia::{
     Color, FillRule, IntSize, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapMut, PixmapPaint, Rect,
@@ -14,7 +14,7 @@ pub(in crate::report) fn dark() -> Color {
     Color::from_rgba8(24, 22, 34, 255)
 }
 
-/// Draws on a pixmap in units of its own: a scale makes one layout serve all sizes. Y points down.
+/// Draws on a pixmap in layout units: a scale makes one layout serve all sizes. Y points down.
 pub(in crate::report) struct Canvas<'a> {
     pixmap: PixmapMut<'a>,
     scale: Transform,

@@ -1,4 +1,4 @@
-//! The binary tree from which the hierarchy is made.
+//! The binary tree that becomes the hierarchy.
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -104,7 +104,7 @@ impl BinaryTree {
         order
     }
 
-    /// Inner nodes on the longest way from the root to a leaf, counted without recursion.
+    /// Inner nodes on the longest path from the root to a leaf, counted without recursion.
     pub(super) fn depth(&self) -> usize {
         let mut deepest = 0;
         let mut open = if self.nodes.is_empty() { vec![] } else { vec![(0, 0)] };

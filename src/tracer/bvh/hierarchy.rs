@@ -9,7 +9,7 @@ use crate::memory::on_large_pages;
 /// The most boxes a leaf holds.
 pub const LEAF_CAPACITY: usize = 4;
 
-/// Nodes on the longest way from the root down; deeper trees are replaced by a balanced one.
+/// The most nodes on a path from the root; deeper trees are replaced by a balanced one.
 pub(super) const DEPTH_LIMIT: usize = 32;
 
 /// Binary trees deeper than this are not even merged (and cannot exhaust the recursion).

@@ -9,7 +9,7 @@ type Costs = [f32; WIDTH];
 
 /// The merging of a binary tree into a hierarchy.
 ///
-/// A wide node holds some binary nodes below another, chosen such that a random ray visits the fewest nodes:
+/// A wide node holds some binary nodes below another, chosen so that a random ray visits the fewest nodes:
 ///
 /// ```text
 ///          a                      With room for 4 below `a`: b, f, g, e,
@@ -36,7 +36,7 @@ impl<'a> Merge<'a> {
         Self { tree, costs: costs(tree), hierarchy, deepest: 1 }
     }
 
-    /// The hierarchy, and how many nodes the longest way down has.
+    /// The hierarchy, and the number of nodes on its longest path.
     pub(super) fn run(mut self) -> (Hierarchy, usize) {
         if !self.tree.nodes.is_empty() {
             self.fill(0, 0, 1);

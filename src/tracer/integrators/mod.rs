@@ -109,10 +109,10 @@ impl<'a> Integrator<'a> {
         let mut items = self.lights.left_out(self.plan);
         let wing = match self.wing {
             ReadyWing::Textbook => None,
-            ReadyWing::SideBySide(_) => Some("rays are traced side by side, to the same bits"),
+            ReadyWing::SideBySide(_) => Some("rays are traced side by side, with the same bits"),
             ReadyWing::Guided(_) => Some("paths are guided to light behind glass and mirrors, with the same mean"),
         };
-        items.extend(wing.map(|wing| format!("{wing}: the textbook's code is not used (--textbook renders with it)")));
+        items.extend(wing.map(|wing| format!("{wing}: the textbook code is not used (--textbook uses it)")));
         items
     }
 

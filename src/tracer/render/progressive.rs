@@ -1,4 +1,4 @@
-//! Progressive rendering: the whole picture soon, then better and better.
+//! Progressive rendering: the whole picture early, then more samples.
 
 use std::time::{Duration, Instant};
 
@@ -10,7 +10,7 @@ use crate::error::{Error, Result};
 /// When a progressive rendering is finished.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Budget {
-    /// After so many samples per pixel.
+    /// The number of samples per pixel.
     Samples(u32),
     /// After so much time, with at least one sample.
     Time(Duration),

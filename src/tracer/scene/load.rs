@@ -82,7 +82,7 @@ impl Scene {
         let output = OutputSettings::read(optional_table(&mut root, "output")?)?;
         if map_override.is_some() && !root.has("environment") {
             return Err(root
-                .error("there is no environment whose map could be replaced")
+                .error("there is no environment map to replace")
                 .expected("an [environment] table of kind \"cube-map\" or \"equirectangular\""));
         }
         let surroundings = environment::read(optional_table(&mut root, "environment")?, map_override)?;
