@@ -40,13 +40,13 @@
 //! # Ok::<(), skycube::error::Error>(())
 //! ```
 //!
-//! Read the modules in this order; none knows those below it. They make four packages, each with its own table of
-//! contents, so that only code that has to be fast takes the compiler's time to make it fast:
+//! Read the modules in this order; none uses those below it. They form four packages, so that only code that must be
+//! fast is compiled with full optimisation:
 //!
-//! - `src/files`: the formats of files, and what is said of files that are not as they should be;
+//! - `src/files`: file formats, and errors about files;
 //! - `src/tracer`: from numbers to rendered pictures;
-//! - `src/analysis`: what can be found out about skyboxes, pictures and the tracer itself;
-//! - `src`: what a user meets.
+//! - `src/analysis`: analyses of skyboxes, pictures and the tracer itself;
+//! - `src`: commands and reports.
 
 pub use skycube_tracer::{
     bvh, camera, choice, colour, envmap, error, integrators, lights, materials, math, memory, parallel, picture,

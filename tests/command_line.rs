@@ -58,7 +58,7 @@ fn what_cannot_run_exits_with_2_and_writes_nothing() {
     let folder = tempfile::tempdir().unwrap();
     std::fs::write(folder.path().join("broken.toml"), "[camera]\nposition = 1\n").unwrap();
     for (arguments, message) in [
-        (vec!["render", "nowhere.toml"], "error: nowhere.toml: there is no such file"),
+        (vec!["render", "nowhere.toml"], "error: nowhere.toml: the file does not exist"),
         (vec!["render", "broken.toml"], "error: broken.toml:2: camera.position: found 1"),
         (vec!["render", LESSON, "-o", "picture.gif"], "error: picture.gif"),
         (vec!["render", LESSON, "-o", "no/such/folder.png"], "error: no/such"),

@@ -233,7 +233,8 @@ fn every_line_of_the_plot_is_drawn_in_its_colour() {
         assert!(drawing.width() == 1600 && count([255; 3]) > drawing.width() * drawing.height() / 2);
     }
     let svg = draw_convergence(&report, Measure::Rmse).to_svg();
-    for text in ["strategy=bsdf", "strategy=mis", "error of the reference", "samples a pixel", "seconds", "lamp.toml"] {
+    for text in ["strategy=bsdf", "strategy=mis", "error of the reference", "samples per pixel", "seconds", "lamp.toml"]
+    {
         assert!(svg.contains(text), "{text}");
     }
     assert!(svg.starts_with("<svg") && svg.trim_end().ends_with("</svg>"));
@@ -317,7 +318,7 @@ fn what_cannot_run_says_why_and_writes_nothing() {
         (&["lamp.toml", "--time", "never"], "expected a time"),
         (&["lamp.toml", "--seeds", "1"], "2..=16"),
         (&["lamp.toml", "--vary", "colour=red"], "expected one of integrator, depth"),
-        (&["lamp.toml", "--vary", "strategy=mis,mis"], "mis is there twice"),
+        (&["lamp.toml", "--vary", "strategy=mis,mis"], "mis is given twice"),
         (&["lamp.toml", "--compare", "depths", "--vary", "depth=1,2"], "depth is varied twice"),
         (&["lamp.toml", "--compare", "lookups"], "no cube map"),
         (&["whitted.toml", "--compare", "strategies"], "nothing is rendered by the path tracer"),

@@ -33,7 +33,7 @@ const HEADINGS: [&str; 8] = [
     "Where it stands in our source",
     "Commands",
     "The expected picture",
-    "What goes wrong and how it looks",
+    "What goes wrong, and what it looks like",
     "Questions",
 ];
 const CZECH_HEADINGS: [&str; 8] = [
@@ -414,7 +414,7 @@ fn lesson_06_environment_map() {
     assert_eq!(faults, expected, "{report}");
     let whole = picture::read(&walk.copy.path().join("environment-with.png")).unwrap();
     let repaired = picture::read(&walk.copy.path().join("repaired.png")).unwrap();
-    // 128 texels a face in place of 512, and JPEG: blurred, but the same world.
+    // 128 texels per face in place of 512, and JPEG: blurred, but the same world.
     assert!(mean_difference(&whole, &repaired) < 12.0, "{}", mean_difference(&whole, &repaired));
 }
 

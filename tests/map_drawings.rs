@@ -55,7 +55,7 @@ fn a_direction_that_points_nowhere_is_an_error() {
     for direction in ["0,0,0", "nan,1,0", "inf,0,0", "1e39,0,0", "-0,0,0"] {
         let output = skycube(&folder, &["probe", ".", "--direction", direction]);
         assert_eq!(output.status.code(), Some(2), "{direction}");
-        assert!(String::from_utf8_lossy(&output.stderr).contains("points nowhere"), "{direction}");
+        assert!(String::from_utf8_lossy(&output.stderr).contains("has no direction"), "{direction}");
     }
 }
 
@@ -164,7 +164,7 @@ fn map_of(folder: &Path, face: impl Fn(Face, Raster) -> Raster) {
 fn why_nothing_is_fixed_is_said_by_the_verdict() {
     let folder = tempfile::tempdir().unwrap();
     map_of(&folder.path().join("flat"), |_, _| Raster::filled(16, 16, Vec3::splat(0.5)));
-    let reason = "undecidable: the pixels do not tell whether these faces fit; nothing is changed";
+    let reason = "undecidable: the pixels cannot decide whether these faces fit; nothing is changed";
     for arguments in [
         &["probe", "flat", "--direction", "1,2,3"][..],
         &["cross", "flat", "--fixed", "-o", "cross.png", "--cell", "64"],

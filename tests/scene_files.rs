@@ -93,7 +93,7 @@ fn wrong_values_say_what_was_expected() {
       expected: a whole number from 0 to 1000
     ");
     insta::assert_snapshot!(error("[[lights]]\nkind = \"ambient\"\nradiance = [1, -1, 1]\n"), @r"
-    scene.toml:6: lights[0].radiance: found a list of 3
+    scene.toml:6: lights[0].radiance: found a list of length 3
       expected: a colour: one number, or [red, green, blue], none negative
     ");
 }
@@ -118,7 +118,7 @@ fn roughness_is_smooth_or_in_range() {
 #[test]
 fn a_metal_is_described_in_one_way() {
     insta::assert_snapshot!(material_error("kind = \"metal\"\nmetal = \"gold\"\nreflectance = 1"), @r#"
-    scene.toml:4: materials.ball: no single description of the metal
+    scene.toml:4: materials.ball: there must be one description of the metal
       expected: either "metal", or "index" and "extinction", or "reflectance"
     "#);
     insta::assert_snapshot!(material_error("kind = \"metal\"\nindex = [1, 1, 1]"), @r#"scene.toml:4: materials.ball: the key "extinction" is missing"#);
@@ -162,7 +162,7 @@ fn names_that_do_not_exist_are_errors() {
       expected: one of red
     "#);
     insta::assert_snapshot!(error("[environment]\nkind = \"cube-map\"\nmap = \"nowhere.zip\"\n"), @r"
-    scene.toml:6: environment.map: nowhere.zip: no such file or folder
+    scene.toml:6: environment.map: nowhere.zip: the file or folder does not exist
     ");
 }
 
@@ -178,7 +178,7 @@ fn impossible_geometry_is_refused() {
     ");
     insta::assert_snapshot!(Scene::from_text("[camera]\nposition = [0, 0, 5]\ntarget = [0, 0, 0]\n", Path::new("scene.toml")).unwrap_err(), @r"
     scene.toml:1: camera: the camera's orientation is undefined
-      expected: a target away from the position, and an up that is not along the view
+      expected: a target away from the position, and an up that is not parallel to the view
     ");
 }
 

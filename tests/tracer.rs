@@ -208,11 +208,11 @@ fn without_depth_the_path_tracer_leaves_out_for_that_reason() {
          shapes = [{ kind = \"sphere\", material = \"a\" }, { kind = \"sphere\", material = \"b\" }]\n",
     );
     insta::assert_snapshot!(Plan::new(&lit).left_out(&lit).join("\n"), @r"
-    no point, spot or directional light: no rays to any
-    depth 0: no rays sent to lights with an extent
+    no point, spot or directional light: no shadow rays to them
+    depth 0: no shadow rays to area lights and environment
     depth 0: no photon pass
     depth 0: no reflected or refracted rays
-    no environment picture: nothing decoded
+    no environment picture: nothing to decode
     2 shapes, too few: no hierarchy over them
     ");
 }
@@ -228,7 +228,7 @@ fn the_plan_leaves_out_what_the_scene_does_not_need() {
     insta::assert_snapshot!(plan.left_out(&matt).join("\n"), @r"
     no lights: no direct light, no shadow rays
     no mirror and no glass: no reflected rays
-    no environment picture: nothing decoded
+    no environment picture: nothing to decode
     1 shape, too few: no hierarchy over them
     ");
 

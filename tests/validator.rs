@@ -95,7 +95,7 @@ fn where_the_sky_lies_does_not_break_a_map_that_fits() {
         let check = checked(&courtyard, Preset::Opengl, Some(up));
         assert_eq!((check.verdict, check.fix.changes), (Verdict::Fits, 0), "{up}");
         let notes: Vec<String> = check.notes.iter().map(ToString::to_string).collect();
-        let (there, elsewhere) = (format!("at the declared up axis {up}"), "which is not at the declared up axis");
+        let (there, elsewhere) = (format!("at the declared up axis {up}"), ", not at the declared up axis");
         let said =
             notes.iter().any(|note| note.contains(&there) && note.contains(elsewhere) != (up == SignedAxis::POS_Y));
         assert!(said, "{up}: {notes:?}");
@@ -188,7 +188,7 @@ fn the_report_says_how_seams_are_judged_and_counts_in_good_grammar() {
     // Where images change places, seams leave open how the cube as a whole is turned and mirrored.
     let swapped = faulty(|images| images.swap(0, 2));
     let report = CheckReport::new("swapped".to_owned(), &swapped).to_string();
-    let count = "equally good orientations: 48, the simplest of them shown: seams cannot tell them apart";
+    let count = "equally good orientations: 48; the simplest one is shown, seams cannot tell them apart";
     assert!(report.contains(count) && report.contains("turned and mirrored in 48 ways"), "{report}");
 }
 

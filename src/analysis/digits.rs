@@ -1,8 +1,8 @@
-//! Numbers for reports, rounded to the digits that mean something.
+//! Numbers for reports, rounded to their significant digits.
 
 use serde::{Serialize, Serializer};
 
-/// A number rounded to so many digits behind the point.
+/// A number rounded to this number of decimals.
 pub fn rounded(value: f64, digits: i32) -> f64 {
     let scale = 10f64.powi(digits);
     (value * scale).round() / scale
@@ -13,7 +13,7 @@ pub fn digits<const DIGITS: i32, S: Serializer>(value: &f64, serializer: S) -> R
     rounded(*value, DIGITS).serialize(serializer)
 }
 
-/// The same with so many significant digits.
+/// The same with this number of significant digits.
 #[cfg(feature = "stress")]
 pub fn significant<const DIGITS: usize, S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
     format!("{value:.0$e}", DIGITS - 1).parse().unwrap_or(*value).serialize(serializer)

@@ -1,4 +1,4 @@
-//! What can be found out about skyboxes, pictures and the tracer itself. Data only: nothing here prints or draws.
+//! Analyses of skyboxes, pictures and the tracer itself. Data only: nothing here prints or draws.
 
 use skycube_tracer::{
     choice, colour, envmap, error, integrators, materials, math, parallel, picture, render, sampling, scene, shapes,

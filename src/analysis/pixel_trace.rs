@@ -17,7 +17,7 @@ pub struct PixelTrace {
     pub shown: u32,
     /// The code that renders the picture; the pixel was followed by the textbook's.
     pub wing: Wing,
-    /// What happened on the way of that sample.
+    /// The events of that sample.
     pub events: Vec<Event>,
     /// Linear radiance: the same bits that the renderer writes, or where it guides paths, one of the same mean.
     pub colour: Vec3,

@@ -28,7 +28,7 @@ pub struct BakeArguments {
     /// The folder to write posx, negx, posy, negy, posz, negz to; made if it is missing
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
-    /// The lookup that shall read the images: a preset or a TOML file
+    /// The lookup that will read the images: a preset or a TOML file
     #[arg(long, default_value = "opengl")]
     lookup: String,
     /// Side of an image in pixels
@@ -49,7 +49,7 @@ pub struct BakeArguments {
 /// Bakes, writes, and says where.
 pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let mut scene = arguments.overrides.read_scene(&arguments.scene)?;
-    // A preset is no file, and none of its name is refused by mistake: it has no extension.
+    // A preset is not a file; its name has no extension, so no file of that name is refused by mistake.
     scene.sources.push(PathBuf::from(&arguments.lookup));
     let plan = Plan::new(&scene);
     let lookup = read_lookup(&arguments.lookup)?;

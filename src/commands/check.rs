@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::report::{CheckReport, failed_check_json};
 use crate::validate::{Check, CheckOptions, Names, Verdict};
 
-/// How a map is to be looked at; shared by all commands that check one.
+/// The options of all commands that check a map.
 #[derive(Debug, Args)]
 pub struct ValidationOptions {
     /// The lookup that reads the map: a preset or a TOML file with a table
@@ -22,10 +22,10 @@ pub struct ValidationOptions {
     /// The axis that points up in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub world_up: Option<SignedAxis>,
-    /// Images may not change places
+    /// Trust the names: no image may change places
     #[arg(long, conflicts_with = "any_order")]
     pub trust_names: bool,
-    /// The names of the images mean nothing
+    /// Ignore the names: every image may go to every face
     #[arg(long)]
     pub any_order: bool,
 }
@@ -143,7 +143,7 @@ fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     maps
 }
 
-/// How many maps ended in which way.
+/// The number of maps per verdict.
 #[derive(Default)]
 struct Counts {
     fits: usize,

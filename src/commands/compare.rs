@@ -12,13 +12,14 @@ use crate::picture::{check_target, read};
 use crate::report::{CompareReport, Metric, draw_comparison};
 
 #[derive(Debug, Args)]
-#[command(after_help = "Exit codes: 0 within the threshold, 1 not (or flipped, turned, red and blue swapped, not \
-                        finite, clearly different in one place, or altogether), 2 could not run.")]
+#[command(after_help = "Exit codes: 0 within the threshold, 1 outside it, or of a fault that no threshold allows \
+                        (flipped, turned, red and blue exchanged, not finite, clearly different in one place or \
+                        altogether), 2 could not run.")]
 pub struct CompareArguments {
     /// Your picture
     #[arg(value_name = "MINE")]
     mine: PathBuf,
-    /// The picture it should be
+    /// The expected picture
     #[arg(value_name = "EXPECTED")]
     expected: PathBuf,
     /// Draw yours, the expected one and a heat map of the difference, as .png
@@ -27,7 +28,7 @@ pub struct CompareArguments {
     /// The measure that decides
     #[arg(long, value_enum, default_value = "flip")]
     metric: Metric,
-    /// How good is good enough [default: flip 0.05, rmse 0.05, psnr 28, ssim 0.85]
+    /// The limit for the measure [default: flip 0.05, rmse 0.05, psnr 28, ssim 0.85]
     #[arg(long, value_name = "X", allow_negative_numbers = true)]
     threshold: Option<f64>,
     /// Print the report as JSON

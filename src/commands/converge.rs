@@ -23,8 +23,8 @@ use crate::scene::Scene;
 
 #[derive(Debug, Args)]
 #[command(
-    after_help = "Writes converge.csv, converge.json, converge.png, converge.svg and the folder references, where \
-                        references are kept: the next run with the same scene and settings takes them from there."
+    after_help = "Writes converge.csv, converge.json, converge.png, converge.svg and the folder references; the next \
+                  run with the same scene and settings reuses the references in it."
 )]
 pub struct ConvergeArguments {
     /// The scenes, TOML files
@@ -33,29 +33,29 @@ pub struct ConvergeArguments {
     /// The folder to write to [default: converge- and the scene's name, in this folder]
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
-    /// Measure at these samples a pixel
+    /// Measure at these samples per pixel
     #[arg(long, visible_alias = "spp", value_name = "N,N,...", default_value = "1,4,16,64", conflicts_with = "time")]
     samples: SampleSteps,
-    /// Measure at 1, 4, 16, ... samples until every rendering has taken so long, such as 10s, 500ms or 2m
+    /// Measure at 1, 4, 16, ... samples until every rendering has taken this time: 10s, 500ms or 2m
     #[arg(long, value_name = "TIME", value_parser = parse_duration)]
     time: Option<Duration>,
     /// Compare the usual values of a setting; several give all combinations
     #[arg(long, value_enum, value_name = "WHAT", value_delimiter = ',')]
     compare: Vec<Comparison>,
-    /// Compare values of a setting, such as strategy=bsdf,light,mis or depth=1,2,8: integrator, depth, strategy, caustics,
-    /// sampler, pixel-filter or environment-filter
+    /// Compare values of a setting, for instance strategy=bsdf,light,mis or depth=1,2,8: integrator, depth, strategy,
+    /// caustics, sampler, pixel-filter or environment-filter
     #[arg(long, value_name = "SETTING=VALUES")]
     vary: Vec<Variation>,
-    /// Renderings of everything, each with a seed of its own: errors are means over them, bias is told from noise by them
+    /// Renderings of every variant, each with another seed; errors are their means, and they separate bias from noise
     #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(2..=16))]
     seeds: u32,
-    /// Samples a pixel of the reference [default: 16 times the last step; 1024 with --time]
+    /// Samples per pixel of the reference [default: 16 times the last step; 1024 with --time]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(2..=1 << 24))]
     reference_samples: Option<u32>,
     /// The error that the plot shows
     #[arg(long, value_enum, default_value = "rmse")]
     measure: Measure,
-    /// Picture size in pixels, such as 320x240
+    /// Picture size in pixels, for instance 320x240
     #[arg(long, value_name = "WxH")]
     size: Option<PictureSize>,
     #[command(flatten)]
@@ -195,7 +195,7 @@ fn default_folder(scenes: &[PathBuf]) -> PathBuf {
     PathBuf::from(std::iter::once("converge".into()).chain(stems).collect::<Vec<_>>().join("-"))
 }
 
-/// Shows every phase as a bar of its own.
+/// Shows one bar per phase.
 struct Terminal;
 
 /// A bar that goes with its phase.

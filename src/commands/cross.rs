@@ -1,4 +1,4 @@
-//! `skycube cross`: the cube unfolded, as the lookup shows it.
+//! `skycube cross`: the unfolded cube under the lookup.
 
 use std::path::PathBuf;
 
@@ -27,7 +27,7 @@ pub struct CrossArguments {
     /// Draw before and after the fix side by side
     #[arg(long)]
     fixed: bool,
-    /// How radiance above 1 is brought into range
+    /// How radiance above 1 is mapped into range
     #[arg(long, value_enum, default_value = "clamp")]
     tone_map: ToneMap,
 }

@@ -39,7 +39,7 @@ struct Corrected {
 /// Checks the map and repairs it. Ends with faults if the map is still broken.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
-        return Err(Error::new("it is not said where the fix shall go")
+        return Err(Error::new("there is no place for the fix")
             .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|java|python|csharp|toml for the corrected lookup"));
     }
     let skybox = Skybox::open_lenient(&arguments.map)?;
@@ -58,11 +58,11 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
     if check.verdict == Verdict::Broken && check.outliers.is_empty() {
         for fix in undecided {
-            remark(format_args!("left as it is: the pixels do not tell how {} must be placed\n", fix.face.name()));
+            remark(format_args!("left as it is: the pixels do not determine the orientation of {}\n", fix.face.name()));
         }
     }
     if check.verdict == Verdict::Undecidable {
-        remark(format_args!("undecidable: the pixels do not tell whether these faces fit; nothing was changed\n"));
+        remark(format_args!("undecidable: the pixels cannot decide whether these faces fit; nothing was changed\n"));
     }
     let still_broken = check.verdict == Verdict::Broken && (check.fix.changes == 0 || !check.unrepaired().is_empty());
     if still_broken && check.unrepaired().is_empty() {
@@ -95,7 +95,7 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The file that the given lookup shall read for a face.
+/// The file that the given lookup will read for a face.
 fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Result<Corrected> {
     let slot = check.lookup.row(fix.face).image;
     let image = skybox.image(fix.image);

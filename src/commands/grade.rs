@@ -18,7 +18,7 @@ use crate::validate::load;
 #[derive(Debug, Args)]
 #[command(
     after_help = "Exit codes: 0 right (or undecided), 1 faults found, 2 could not run. `skycube shots` prints the \
-                        camera to copy."
+                  camera to copy."
 )]
 pub struct GradeArguments {
     /// The folder of your six pictures, posx.png to negz.png, named after the direction of the camera; any format
@@ -29,10 +29,10 @@ pub struct GradeArguments {
     /// The lookup that your code should have: a preset or a TOML file [default: course]
     #[arg(long)]
     lookup: Option<String>,
-    /// The axis that points upwards in your world [default: +y for opengl and humus-y-up, else +z]
+    /// The axis that points up in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     world_up: Option<SignedAxis>,
-    /// Print the repaired function instead, marking what your code has otherwise
+    /// Print the repaired function instead, with marks where your code differs
     #[arg(long, value_name = "LANGUAGE", conflicts_with = "json")]
     code: Option<CodeLanguage>,
     /// Print the grade as JSON
@@ -74,7 +74,7 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
 fn read_shots(folder: &Path) -> Result<[Picture; 6]> {
     let entries = std::fs::read_dir(folder).map_err(|error| {
         let problem = match folder {
-            missing if !missing.exists() => "there is no such folder".to_owned(),
+            missing if !missing.exists() => "the folder does not exist".to_owned(),
             file if file.is_file() => "this is a file, not a folder".to_owned(),
             _ => format!("cannot read the folder of shots: {error}"),
         };
@@ -99,7 +99,7 @@ fn read_shot(folder: &Path, face: Face, files: &[PathBuf]) -> Result<Picture> {
         [] => {
             let found: Vec<_> = files.iter().filter_map(|path| path.file_name()?.to_str()).take(12).collect();
             let found = if found.is_empty() { "no file".to_owned() } else { found.join(", ") };
-            return Err(Error::new(format!("the shot {name} is missing: there is {found}"))
+            return Err(Error::new(format!("the shot {name} is missing; the folder holds {found}"))
                 .in_file(folder)
                 .expected(format!("{name}.png (or .jpg, .exr, ...), the picture along {}", face.signed_name())));
         }
@@ -120,12 +120,12 @@ fn read_shot(folder: &Path, face: Face, files: &[PathBuf]) -> Result<Picture> {
             .expected("a square picture of a camera that is 90° wide and high"));
     }
     if picture.width() < SMALLEST {
-        return Err(Error::new(format!("the shot is {} pixels wide: too small to tell anything", picture.width()))
+        return Err(Error::new(format!("the shot is {} pixels wide: too small to judge", picture.width()))
             .in_file(path)
             .expected(format!("at least {SMALLEST} x {SMALLEST} pixels")));
     }
     Ok(picture)
 }
 
-/// Smaller shots tell too little.
+/// Smaller shots show too little.
 const SMALLEST: usize = 16;

@@ -1,7 +1,7 @@
 //! Ctrl-C: asks the running command to stop; no target is ever half-written.
 //!
-//! A command that watches stops in good order. One that does not, or is asked a second time, ends at once: if it was just
-//! writing, `.skycube-*.partial` may stay beside a target, which is the old file or the new one.
+//! A command that checks for Ctrl-C stops cleanly. Any other, or a second Ctrl-C, ends it at once: during a write,
+//! `.skycube-*.partial` may stay beside a target, which is the old file or the new one.
 
 use std::sync::Once;
 use std::sync::atomic::{AtomicBool, Ordering};

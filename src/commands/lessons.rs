@@ -25,14 +25,14 @@ struct LessonOptions {
     /// The language of the lessons
     #[arg(long, value_enum, default_value = "en", global = true)]
     language: Language,
-    /// The folder that the lessons lie in [default: that of the clone]
+    /// The folder of the lessons [default: `lessons` of the clone]
     #[arg(long, value_name = "FOLDER", global = true)]
     folder: Option<PathBuf>,
 }
 
 #[derive(Debug, Subcommand)]
 enum LessonCommand {
-    /// Copy a lesson's text, scenes and expected pictures into a folder of yours; nothing is overwritten
+    /// Copy a lesson's text, scenes and expected pictures into a new folder; nothing is overwritten
     Start(StartArguments),
 }
 
@@ -41,7 +41,7 @@ struct StartArguments {
     /// The lesson
     #[arg(value_name = "NN", value_parser = lesson_number)]
     number: u32,
-    /// Where to copy it [default: a folder with the lesson's name, in this folder]
+    /// The folder to copy it to [default: a folder with the lesson's name, in this folder]
     #[arg(short, long, value_name = "FOLDER")]
     output: Option<PathBuf>,
 }

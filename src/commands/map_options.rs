@@ -25,10 +25,10 @@ pub struct MapOptions {
 pub struct ViewOptions {
     #[command(flatten)]
     pub map: MapOptions,
-    /// How colours between texels are read
+    /// The filter between texels
     #[arg(long, value_enum, default_value = "bilinear")]
     pub filter: CubeFilter,
-    /// The axis that points upwards in the world [default: +y for opengl and humus-y-up, else +z]
+    /// The axis that points up in the world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub world_up: Option<SignedAxis>,
 }
@@ -40,7 +40,7 @@ pub struct OpenMap {
     pub lookup: Lookup,
     /// The map's file or folder name, for headings.
     pub name: String,
-    /// The lookup as the user called it.
+    /// The name of the lookup, as given by the user.
     pub lookup_name: String,
     /// Files that must not be overwritten.
     pub sources: Vec<PathBuf>,
@@ -98,16 +98,13 @@ pub fn check_skybox(skybox: &Skybox, lookup: Lookup, options: &CheckOptions) -> 
 }
 
 impl ViewOptions {
-    /// The world's up axis, and a sentence if the lookup's name had to tell it.
+    /// The world's up axis, and a sentence if it follows from the lookup's name.
     pub fn world_up(&self) -> (SignedAxis, Option<String>) {
         if let Some(world_up) = self.world_up {
             return (world_up, None);
         }
         let name = &self.map.lookup;
         let world_up = Preset::usual_up_of(name);
-        (
-            world_up,
-            Some(format!("assumed a world with {world_up} up, for the lookup {name}: --world-up says otherwise")),
-        )
+        (world_up, Some(format!("assumed a world with {world_up} up, for the lookup {name}; --world-up changes this")))
     }
 }

@@ -1,4 +1,4 @@
-//! The commands: arguments in, results on stdout, complaints on stderr, an exit code out.
+//! The commands: arguments in, results on stdout, errors on stderr, an exit code out.
 
 mod bake;
 mod check;
@@ -41,7 +41,7 @@ use terminal::{lost_output, remark};
 struct CommandLine {
     #[command(subcommand)]
     command: Command,
-    /// The most memory to take, such as 4G or 500M [default: three quarters of what is free]
+    /// The memory limit, for instance 4G or 500M [default: three quarters of the free memory]
     #[arg(long, global = true, value_name = "BYTES", value_parser = options::parse_bytes)]
     memory: Option<u64>,
 }
@@ -56,20 +56,20 @@ enum Command {
     Check(check::CheckArguments),
     /// Compare a picture with the expected one, and name what it does differently
     Compare(compare::CompareArguments),
-    /// Measure error against run time, and compare integrators, strategies, samplers, ...
+    /// Measure error against samples and run time; compare integrators, strategies, samplers, ...
     Converge(converge::ConvergeArguments),
-    /// Draw a map unfolded, as the lookup shows it, with its seams
+    /// Draw the map unfolded under the lookup, with its seams
     Cross(cross::CrossArguments),
     /// Find the fault in your own cube-map code from six of your renders
     Grade(grade::GradeArguments),
-    /// List the lessons, show one, or start one in a folder of yours
+    /// List the lessons, show one, or copy one into a new folder
     Lessons(lessons::LessonsArguments),
     /// Follow the lookup of one direction step by step
     Probe(probe::ProbeArguments),
-    /// Render what a camera sees along the six axes of a map, and a contact sheet
+    /// Render six pictures of a map along the axes, and a contact sheet
     Shots(shots::ShotsArguments),
     #[cfg(feature = "stress")]
-    /// Measure on extreme inputs how far the program itself stays accurate
+    /// Measure the accuracy of the numerical kernels on extreme inputs
     Stress(stress::StressArguments),
     /// Follow one pixel of a scene: every ray, hit, shadow test and lookup, and how its colour adds up
     Trace(trace::TraceArguments),
@@ -91,10 +91,10 @@ pub fn run() -> ExitCode {
     for note in take_notes() {
         remark(format_args!("note: {}\n", printable(&note)));
     }
-    exit_code(result.unwrap_or_else(|_| Err(Error::new("this is a fault of skycube, not of yours").help(REPORT))))
+    exit_code(result.unwrap_or_else(|_| Err(Error::new("this is a bug in skycube, not your mistake").help(REPORT))))
 }
 
-const REPORT: &str = "what went wrong stands above; please report it together with the files";
+const REPORT: &str = "please report the message above together with the files";
 
 fn command(command: Command) -> Result<Outcome> {
     match command {

@@ -16,10 +16,10 @@ use crate::sampling::{PixelFilter, SamplerKind};
 use crate::scene::{Caustics, IntegratorKind, OutputSettings, Scene, Strategy};
 use skycube_tracer::memory::check_memory;
 
-/// What the command line may say instead of the scene file.
+/// Options that override the scene file.
 #[derive(Debug, Args)]
 pub struct SceneOverrides {
-    /// Samples a pixel
+    /// Samples per pixel
     #[arg(long, visible_alias = "spp", value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 24))]
     pub samples: Option<u32>,
     #[command(flatten)]
@@ -29,34 +29,34 @@ pub struct SceneOverrides {
 /// The same but for the count of samples.
 #[derive(Debug, Args)]
 pub struct SettingOverrides {
-    /// How light is followed
+    /// The integrator
     #[arg(long, value_enum)]
     pub integrator: Option<IntegratorKind>,
-    /// Reflections and refractions followed at most
+    /// The greatest number of reflections and refractions
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(0..=1000))]
     pub depth: Option<u32>,
-    /// How the path tracer finds light sources
+    /// The strategy by which the path tracer finds light sources
     #[arg(long, value_enum)]
     pub strategy: Option<Strategy>,
-    /// How samples are chosen
+    /// The sampler
     #[arg(long, value_enum)]
     pub sampler: Option<SamplerKind>,
-    /// The shape of a pixel
+    /// The pixel filter
     #[arg(long, value_enum, value_name = "FILTER")]
     pub pixel_filter: Option<PixelFilter>,
-    /// Another seed gives another picture of the same scene, with noise of its own
+    /// The seed of the random numbers; another seed gives other noise
     #[arg(long, value_name = "N")]
     pub seed: Option<u32>,
-    /// Whether the path tracer searches for light that glass and mirrors focus
+    /// Whether the path tracer guides paths to light focused by glass and mirrors
     #[arg(long, value_enum)]
     pub caustics: Option<Caustics>,
-    /// Use the integrators of the lessons alone, without the faster code beside them
+    /// Use only the integrators of the lessons, not the faster code
     #[arg(long)]
     pub textbook: bool,
-    /// Another map in place of that of the scene's environment, which must have one: a folder, a zip or a picture
+    /// Replace the map of the scene's environment by this one: a folder, a zip or a picture
     #[arg(long, value_name = "MAP")]
     pub environment: Option<PathBuf>,
-    /// Threads to use; the picture does not depend on it
+    /// Number of threads; it does not change the picture
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1024))]
     pub threads: Option<u32>,
 }
@@ -105,10 +105,10 @@ impl SettingOverrides {
 /// How pictures are written.
 #[derive(Debug, Args)]
 pub struct PictureOptions {
-    /// How radiance above 1 is brought into range in PNG and JPEG [default: the scene's, or clamp]
+    /// How radiance above 1 is mapped into range in PNG and JPEG [default: the scene's, or clamp]
     #[arg(long, value_enum)]
     pub tone_map: Option<ToneMap>,
-    /// Bits a channel in PNG
+    /// Bits per channel in PNG
     #[arg(long, value_name = "BITS", default_value = "8", value_parser = ["8", "16"])]
     pub bits: String,
     /// JPEG quality, 1 to 100
@@ -193,7 +193,7 @@ pub fn refuse_shared_images(lookup: &Lookup) -> Result<()> {
     Ok(())
 }
 
-/// The lookup a name or a file stands for.
+/// The lookup of a name or a file.
 pub fn read_lookup(name: &str) -> Result<Lookup> {
     if let Some(preset) = Preset::named(name) {
         return Ok(preset.lookup());
@@ -203,7 +203,7 @@ pub fn read_lookup(name: &str) -> Result<Lookup> {
         return crate::scene::read_lookup_file(file);
     }
     Err(Error::new(format!("there is no lookup \"{name}\""))
-        .expected(format!("one of {}, or a TOML file with a table of your own", names_of::<Preset>().join(", "))))
+        .expected(format!("one of {}, or a TOML file with your table", names_of::<Preset>().join(", "))))
 }
 
 /// An error if writing to `target` would overwrite a file that something is read from.
@@ -215,7 +215,7 @@ pub fn refuse_to_overwrite_sources(target: &Path, sources: &[PathBuf]) -> Result
             .is_ok_and(|source| source == target_file || (source.is_dir() && target_file.starts_with(&source)))
     };
     if sources.iter().any(is_source) {
-        return Err(Error::new("this file is read by the same command: it is not overwritten")
+        return Err(Error::new("the same command reads this file: it is not overwritten")
             .in_file(target)
             .help("choose another file with -o"));
     }
@@ -233,7 +233,7 @@ pub fn refuse_source_folder(skybox: &Skybox, folder: &Path) -> Result<()> {
     refuse_folder_of(folder, &files)
 }
 
-/// An error if a drawing shall be written in another format than PNG.
+/// An error unless a drawing is written as PNG.
 pub fn check_drawing_name(path: &Path) -> Result<()> {
     if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
         return Ok(());
@@ -261,9 +261,9 @@ pub fn refuse_folder_of(folder: &Path, sources: &[PathBuf]) -> Result<()> {
     let Ok(target) = folder.canonicalize() else { return Ok(()) };
     let inside = |file: &PathBuf| file.canonicalize().is_ok_and(|file| file.parent() == Some(&target));
     if sources.iter().any(inside) {
-        return Err(Error::new("files that are read lie in this folder: it is not written to")
+        return Err(Error::new("this folder holds files that the command reads: nothing is written to it")
             .in_file(folder)
-            .help("choose a place in another folder with -o"));
+            .help("choose another folder with -o"));
     }
     Ok(())
 }

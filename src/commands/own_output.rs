@@ -1,4 +1,4 @@
-//! Folders that pictures of faces are written to, and what lies there already.
+//! Output folders for pictures of faces, and the files already in them.
 
 use std::path::{Path, PathBuf};
 
@@ -16,7 +16,7 @@ pub fn refuse_rivals(targets: &[PathBuf]) -> Result<()> {
             continue;
         }
         if let Some(target) = targets.iter().find(|target| is_same_face(&path, target)) {
-            return Err(Error::new(format!("{} would lie beside it: two files for one face", target.display()))
+            return Err(Error::new(format!("{} would be beside it: two files for one face", target.display()))
                 .in_file(path)
                 .help("choose an empty folder with -o"));
         }
@@ -29,9 +29,9 @@ pub fn refuse_rivals(targets: &[PathBuf]) -> Result<()> {
 pub fn refuse_pictures_of_others(targets: &[PathBuf], contact_sheet: &Path) -> Result<()> {
     match targets.iter().find(|target| target.exists()) {
         Some(picture) if !contact_sheet.exists() => {
-            Err(Error::new("this picture is already there, and no contact sheet of earlier shots with it")
+            Err(Error::new("this picture exists already, without a contact sheet of earlier shots beside it")
                 .in_file(picture)
-                .help("it may be one of your own: name another folder with -o"))
+                .help("it may be your own picture: name another folder with -o"))
         }
         _ => Ok(()),
     }
@@ -43,7 +43,7 @@ fn is_same_face(path: &Path, target: &Path) -> bool {
     stem.eq_ignore_ascii_case(other) && Face::ALL.iter().any(|face| stem.eq_ignore_ascii_case(face.name()))
 }
 
-/// The files of a folder, sorted; none if there is no such folder.
+/// The files of a folder, sorted; none if the folder does not exist.
 fn files_in(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
     let mut files: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).filter(|path| path.is_file()).collect();

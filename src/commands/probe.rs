@@ -17,7 +17,7 @@ pub struct ProbeArguments {
     /// The direction, of any length
     #[arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, value_parser = parse_direction)]
     direction: Vec3,
-    /// How colours between texels are read
+    /// The filter between texels
     #[arg(long, value_enum, default_value = "bilinear")]
     filter: CubeFilter,
     /// Print the steps as JSON

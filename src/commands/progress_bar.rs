@@ -8,7 +8,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use super::interrupt;
 use crate::render::Progress;
 
-/// Shows what is done, rays a second and the time left.
+/// Shows what is done, rays per second and the time left.
 pub struct RenderBar {
     bar: ProgressBar,
     samples: AtomicU64,

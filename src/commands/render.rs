@@ -25,10 +25,10 @@ pub struct RenderArguments {
     /// The picture to write: .png, .jpg, .hdr or .exr [default: the scene's name with .png, in this folder]
     #[arg(short, long, value_name = "PICTURE")]
     output: Option<PathBuf>,
-    /// Picture size in pixels, such as 640x480
+    /// Picture size in pixels, for instance 640x480
     #[arg(long, value_name = "WxH")]
     size: Option<PictureSize>,
-    /// Render for so long and show what there is by then, such as 10s, 500ms or 2m
+    /// Render for this time, for instance 10s, 500ms or 2m, in place of a number of samples
     #[arg(long, value_name = "TIME", conflicts_with = "samples", value_parser = parse_duration)]
     time: Option<Duration>,
     /// Add layers of normal, albedo, depth and variance to an .exr
@@ -70,9 +70,7 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
 fn refuse(arguments: &RenderArguments, scene: &Scene, output: &Path) -> Result<()> {
     let format = OutputFormat::of_path(output)?;
     if arguments.layers && format != OutputFormat::Exr {
-        return Err(Error::new("--layers needs a format that holds them")
-            .in_file(output)
-            .expected("the extension .exr"));
+        return Err(Error::new("--layers needs a format with layers").in_file(output).expected("the extension .exr"));
     }
     refuse_to_overwrite_sources(output, &scene.sources)?;
     check_target(output)
@@ -97,7 +95,7 @@ fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<
 
 fn write(arguments: &RenderArguments, scene: &Scene, rendering: &Rendering, output: &Path) -> Result<()> {
     let options = arguments.picture.write_options(scene.output);
-    let remark = format!("stopped after {} samples a pixel of {}", rendering.samples, scene.samples);
+    let remark = format!("stopped after {} samples per pixel of {}", rendering.samples, scene.samples);
     let layers = rendering.layers.as_ref().map(Layers::named);
     let extras = Extras {
         layers: layers.as_ref().map_or(&[], |layers| layers.as_slice()),

@@ -28,13 +28,13 @@ pub struct ShotsArguments {
     /// Side of a shot in pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 512, value_parser = side)]
     size: u32,
-    /// Samples a pixel [default: 1 for shots as large as the images, up to 16 for smaller ones]
+    /// Samples per pixel [default: 1 for shots as large as the images, up to 16 for smaller ones]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1 << 16))]
     samples: Option<u32>,
-    /// Render the fixed map too, to the folder `fixed` inside, and both side by side on the contact sheet
+    /// Render the fixed map too, to the subfolder `fixed`, and show both on the contact sheet
     #[arg(long)]
     fixed: bool,
-    /// How radiance above 1 is brought into range
+    /// How radiance above 1 is mapped into range
     #[arg(long, value_enum, default_value = "clamp")]
     tone_map: ToneMap,
 }

@@ -1,4 +1,4 @@
-//! `skycube stress`: the program's own kernels on extreme inputs.
+//! `skycube stress`: the numerical kernels on extreme inputs.
 
 use std::path::{Path, PathBuf};
 
@@ -12,15 +12,15 @@ use crate::report::{StressReport, draw_stress};
 use crate::stress::{Case, Effort, Subject, Verdict, subjects};
 
 #[derive(Debug, Args)]
-#[command(after_help = "Exit codes: 0 all bounds kept where they are promised, 1 not, 2 could not run.")]
+#[command(after_help = "Exit codes: 0 all bounds hold in their promised ranges, 1 a bound fails, 2 could not run.")]
 pub struct StressArguments {
-    /// Only the cases whose name begins so, such as leaks, each step of them
+    /// Only the cases whose names begin with NAME, for instance leaks, with every step
     #[arg(long, value_name = "NAME")]
     case: Option<String>,
-    /// Rays spent on self-intersection; the other cases take their share of it
+    /// Rays for self-intersection; the other cases take a share of this number
     #[arg(long, value_name = "N", default_value_t = Effort::FULL.rays as u64, value_parser = clap::value_parser!(u64).range(1..=10_000_000_000))]
     rays: u64,
-    /// Draw error against magnitude, a curve a case: .svg or .png
+    /// Draw error against magnitude, one curve per case: .svg or .png
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
     /// Print the report as JSON
@@ -53,7 +53,7 @@ pub fn run(arguments: &StressArguments) -> Result<Outcome> {
     Ok(if fails { Outcome::Faults } else { Outcome::Clean })
 }
 
-/// The cases whose name begins as asked for, or all.
+/// The cases whose names begin with the given text, or all.
 fn chosen(name: Option<&str>) -> Result<Vec<Subject>> {
     let all = subjects();
     let Some(name) = name else { return Ok(all) };
@@ -71,7 +71,7 @@ fn is_svg(file: &Path) -> Result<bool> {
     match extension.as_deref() {
         Some("svg") => Ok(true),
         Some("png") => Ok(false),
-        _ => Err(Error::new("the name does not tell how the chart is to be written")
+        _ => Err(Error::new("the name does not tell the format of the chart")
             .in_file(file)
             .expected("the extension .svg or .png")),
     }

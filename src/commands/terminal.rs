@@ -1,12 +1,12 @@
-//! What a command says to the shell.
+//! Output and exit status of a command.
 
 use std::borrow::Cow;
 use std::sync::OnceLock;
 
-/// How a command ended, for the shell.
+/// The outcome of a command, for its exit code.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Outcome {
-    /// Done, and nothing to complain about.
+    /// Done, without faults.
     Clean,
     /// Done, and faults were found.
     Faults,
@@ -22,8 +22,8 @@ pub(super) fn lost_output() -> Option<&'static std::io::Error> {
     LOST_OUTPUT.get()
 }
 
-/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is no fault of ours; what is lost otherwise, on a full
-/// disk, makes the command fail in the end.
+/// Prints to stdout. A reader that has gone (`skycube check MAP | head`) is not our fault; what is lost otherwise, on a
+/// full disk, makes the command fail in the end.
 pub(super) fn print(text: impl std::fmt::Display) {
     use std::io::Write;
     let text = text.to_string();
@@ -45,7 +45,7 @@ fn printable_line(line: &str) -> Cow<'_, str> {
     Cow::Owned(line.replace(harmful, "\u{fffd}"))
 }
 
-/// Writes to standard error; that nobody reads it is no error.
+/// Writes to standard error, and ignores failures.
 pub(super) fn remark(text: impl std::fmt::Display) {
     use std::io::Write;
     let _ = write!(std::io::stderr().lock(), "{text}");

@@ -21,7 +21,7 @@ pub struct TraceArguments {
     /// Which sample of the pixel to follow, counted from 0
     #[arg(long, value_name = "N", default_value_t = 0)]
     sample: u32,
-    /// Picture size in pixels, such as 640x480
+    /// Picture size in pixels, for instance 640x480
     #[arg(long, value_name = "WxH")]
     size: Option<PictureSize>,
     #[command(flatten)]
@@ -47,7 +47,7 @@ pub fn run(arguments: &TraceArguments) -> Result<Outcome> {
     Ok(Outcome::Clean)
 }
 
-/// An error if there is no such pixel or sample.
+/// An error if the pixel or the sample does not exist.
 fn check(arguments: &TraceArguments, scene: &Scene) -> Result<()> {
     let ([x, y], [width, height]) = (arguments.pixel, scene.camera.size());
     if x >= width || y >= height {

@@ -1,4 +1,4 @@
-//! Six files in a zip archive as downloaded, read in place.
+//! Six files in a downloaded zip archive, read without unpacking it.
 
 use std::fs::File;
 use std::io::{BufReader, Read};
@@ -133,5 +133,5 @@ fn refused(error: &ZipError) -> Error {
 }
 
 fn too_large(size: u64) -> Error {
-    Error::new(format!("would be {size} bytes unpacked")).expected(format!("at most {LARGEST_ENTRY} bytes a face"))
+    Error::new(format!("would be {size} bytes unpacked")).expected(format!("at most {LARGEST_ENTRY} bytes per face"))
 }

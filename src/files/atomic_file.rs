@@ -1,4 +1,4 @@
-//! Files that are there whole or not at all.
+//! Atomic files: written whole or not at all.
 
 use std::io::Write;
 use std::path::Path;
@@ -44,7 +44,7 @@ pub fn check_target(path: &Path) -> Result<()> {
 pub fn check_folder_target(folder: &Path) -> Result<()> {
     match std::fs::metadata(folder) {
         Ok(found) if !found.is_dir() => {
-            Err(Error::new("this is a file").in_file(folder).expected("a folder, or a name that is free"))
+            Err(Error::new("this is a file").in_file(folder).expected("a folder, or an unused name"))
         }
         _ => Ok(()),
     }

@@ -1,5 +1,5 @@
-//! A TOML document that knows where everything stands: values are taken out key by key, and every complaint names
-//! file, line and key. Keys that nobody took are unknown and refused.
+//! A TOML document with positions: values are taken key by key, and every error names file, line and key. Keys that
+//! remain are unknown and refused.
 
 use std::path::{Path, PathBuf};
 
@@ -178,7 +178,7 @@ impl<'a> Value<'a> {
             DeValue::Float(number) => format!("found {}", number.as_str()),
             DeValue::Boolean(value) => format!("found {value}"),
             DeValue::Datetime(_) => "found a date".to_owned(),
-            DeValue::Array(array) => format!("found a list of {}", array.len()),
+            DeValue::Array(array) => format!("found a list of length {}", array.len()),
             DeValue::Table(_) => "found a table".to_owned(),
         };
         self.error(found).expected(expected)

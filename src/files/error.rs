@@ -1,4 +1,4 @@
-//! The one error type: what a user reads when the tool cannot run.
+//! The error type of skycube: the message to the user when a command cannot run.
 
 use std::borrow::Cow;
 use std::fmt;

@@ -1,7 +1,7 @@
-//! Files: what is read from them and written to them, as bytes, numbers and texts.
+//! Files: reading and writing bytes, numbers and texts.
 //!
-//! Here is the code of the foreign formats. It is compiled with little optimisation, which is most of what it would cost
-//! otherwise: a loop over pixels that has to be fast belongs to the tracer.
+//! This package depends on the codecs of external file formats. It is compiled with little optimisation, which saves
+//! most of its compile time; a loop over pixels that must be fast belongs to the tracer.
 
 pub mod error;
 pub mod memory;

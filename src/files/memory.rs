@@ -1,7 +1,7 @@
 //! Memory for tables of many megabytes that are read at random places.
 //!
-//! The processor keeps the addresses of a few thousand pages at hand. With pages of 4 KB those are a few megabytes; in
-//! a larger table nearly every read has to look up its page first, in memory that is as far away as the data.
+//! The processor caches the addresses of a few thousand pages. With pages of 4 KB that covers a few megabytes; in a
+//! larger table nearly every read first looks up its page, in memory as slow as the data.
 //!
 //! ```text
 //!     table   |----------------------------------|
@@ -20,7 +20,7 @@ const SMALL_PAGE: usize = 4 << 10;
 /// An empty vector with room for `capacity` elements, on large pages where the system has them.
 ///
 /// Measured with a million triangles in six runs each, side by side on a busy machine: 1.02 to 1.31 times as many random
-/// rays a second, median 1.08; camera rays are the same within the noise.
+/// rays per second, median 1.08; camera rays are the same within the noise.
 pub fn on_large_pages<T>(capacity: usize) -> Vec<T> {
     let mut vector = Vec::with_capacity(capacity);
     let room = vector.spare_capacity_mut();
@@ -32,7 +32,7 @@ pub fn on_large_pages<T>(capacity: usize) -> Vec<T> {
 /// is new to the process is not written to (as the standard library does it today; nothing but time depends on that).
 ///
 /// Measured with bilinear lookups in six pictures of 2048 x 2048 texels in eleven runs each, side by side: 0.9 to 1.7 times
-/// as many random ones a second, median 1.4; coherent ones are the same within the noise.
+/// as many random ones per second, median 1.4; coherent ones are the same within the noise.
 pub fn zeros_on_large_pages<T: Clone>(zero: T, length: usize) -> Vec<T> {
     let mut vector = vec![zero; length];
     ask_within(vector.as_mut_ptr().cast(), size_of_val(vector.as_slice()));

@@ -1,14 +1,14 @@
-//! How much memory a command may take.
+//! The memory budget of a command.
 //!
-//! What is asked for is counted before it is allocated, from what a header says: a file of some hundred bytes may claim gigabytes.
-//! What is taken already is asked of the system; what others are about to take is remembered.
+//! Requests are counted before allocation, from the header of a file: a file of some hundred bytes may claim gigabytes.
+//! The system reports the memory in use; claims of other threads are remembered.
 
 use std::fmt::Display;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use crate::error::{Error, Result};
 
-/// Bytes that the command may take; 0 until somebody asks.
+/// The budget of the command in bytes; 0 until it is first needed.
 static BUDGET: AtomicU64 = AtomicU64::new(0);
 
 /// Bytes that were promised and are about to be taken.

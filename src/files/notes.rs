@@ -1,4 +1,4 @@
-//! What is to be said of files once the work is done: pictures are decoded when a ray needs them, in any thread.
+//! Notes about files, reported once the work is done: pictures are decoded when a ray needs them, in any thread.
 
 use std::collections::BTreeSet;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Files as bytes: plain ones only, for a pipe may never end and a device never does.
+//! The bytes of plain files; pipes and devices are refused, since they may never end.
 
 use std::io::ErrorKind;
 use std::path::Path;
@@ -27,7 +27,7 @@ pub fn check_plain(path: &Path, expected: &str) -> Result<()> {
 
 fn unreadable(error: &std::io::Error) -> Error {
     match error.kind() {
-        ErrorKind::NotFound => Error::new("there is no such file"),
+        ErrorKind::NotFound => Error::new("the file does not exist"),
         _ => Error::new(format!("cannot be read: {error}")),
     }
 }
@@ -41,7 +41,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let error = |path: &Path| read_plain_file(path, "a mesh").unwrap_err().problem().to_owned();
         assert_eq!(error(folder.path()), "this is a folder");
-        assert_eq!(error(&folder.path().join("missing")), "there is no such file");
+        assert_eq!(error(&folder.path().join("missing")), "the file does not exist");
         #[cfg(unix)]
         assert_eq!(error(Path::new("/dev/zero")), "this is a pipe or a device, not a plain file");
         std::fs::write(folder.path().join("there"), b"x").unwrap();

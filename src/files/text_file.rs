@@ -1,4 +1,4 @@
-//! Text files that students write: read, or a word on what is there instead.
+//! Text files by students: reads them, or says what the file is instead.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -21,13 +21,13 @@ pub fn read_text(file: &Path) -> Result<String> {
 fn unreadable(file: &Path, error: &std::io::Error) -> Error {
     let error = match error.kind() {
         ErrorKind::NotFound => {
-            let missing = Error::new("there is no such file");
+            let missing = Error::new("the file does not exist");
             match similar_file(file) {
                 Some(similar) => missing.help(format!("did you mean {}?", similar.display())),
                 None => missing,
             }
         }
-        ErrorKind::InvalidData => Error::new("this is no text, but perhaps a picture").expected(EXPECTED),
+        ErrorKind::InvalidData => Error::new("this is not a text file; it may be a picture").expected(EXPECTED),
         _ => Error::new(format!("cannot read the file: {error}")),
     };
     error.in_file(file)
@@ -60,7 +60,7 @@ mod tests {
         let error = |name: &str| read_text(&at(name)).unwrap_err().to_string();
         assert!(error("directions").ends_with("directions.toml?"), "{}", error("directions"));
         assert!(error("sphere.toml").ends_with("spheres.toml?"), "{}", error("sphere.toml"));
-        assert!(error("cubes.toml").ends_with("there is no such file"), "{}", error("cubes.toml"));
+        assert!(error("cubes.toml").ends_with("the file does not exist"), "{}", error("cubes.toml"));
         assert!(error("direction.png").contains("perhaps a picture"), "{}", error("direction.png"));
         assert!(error("").contains("this is a folder"), "{}", error(""));
     }

@@ -1,4 +1,4 @@
-//! A lesson into a student's folder.
+//! Copies a lesson into a student's folder.
 
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -44,7 +44,7 @@ impl Copy {
     fn read(lesson: &Lesson, file: &Path, folder: &Path) -> Result<Self> {
         let source = lesson.folder.join(file);
         let content = std::fs::read(&source).map_err(|error| match error.kind() {
-            ErrorKind::NotFound => Error::new("the lesson names this file, and it is not there").in_file(&source),
+            ErrorKind::NotFound => Error::new("the lesson names this file, but it does not exist").in_file(&source),
             _ => Error::new(format!("cannot read the file: {error}")).in_file(&source),
         })?;
         Ok(Self { content, target: folder.join(file) })
@@ -63,7 +63,7 @@ impl Copy {
 }
 
 fn occupied(target: &Path) -> Error {
-    Error::new("this file is there already: nothing is overwritten")
+    Error::new("this file exists already: nothing is overwritten")
         .in_file(target)
         .help("choose another folder with -o, or move the file away")
 }

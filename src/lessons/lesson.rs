@@ -42,7 +42,7 @@ pub struct Lesson {
     pub files: Vec<PathBuf>,
     /// Command lines, each beginning with `skycube `.
     pub commands: Vec<String>,
-    /// Samples a pixel of `expected-NAME.png`, for the scene `NAME.toml`: so many that hardly any noise is left. The expected
+    /// Samples per pixel of `expected-NAME.png`, for the scene `NAME.toml`: so many that hardly any noise is left. The expected
     /// picture of a scene that is not here was rendered with the scene's own samples.
     pub expected_samples: BTreeMap<String, NonZeroU32>,
 }

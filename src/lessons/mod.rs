@@ -1,6 +1,6 @@
-//! The lessons of the course: what each is about, and copying one into a student's folder.
+//! The lessons of the course: their contents, and copying one into a student's folder.
 //!
-//! A lesson is a folder with a `lesson.toml`; nothing else says that it exists.
+//! A lesson is a folder with a `lesson.toml`; no other file lists it.
 
 mod copy;
 mod lesson;
@@ -32,7 +32,7 @@ pub fn read_all(folder: &Path) -> Result<Vec<Lesson>> {
     lessons.sort_by_key(|lesson| lesson.number);
     if let Some(pair) = lessons.windows(2).find(|pair| pair[0].number == pair[1].number) {
         return Err(Error::new(format!(
-            "lesson {} is there twice, the other is {}",
+            "lesson {} exists twice; the other one is {}",
             pair[1].number,
             pair[0].folder.display()
         ))
@@ -41,7 +41,7 @@ pub fn read_all(folder: &Path) -> Result<Vec<Lesson>> {
     if lessons.is_empty() {
         return Err(Error::new("there are no lessons in this folder")
             .in_file(folder)
-            .expected(format!("folders such as 01-camera-rays that hold a {}", lesson::FILE)));
+            .expected(format!("folders such as 01-camera-rays with a {}", lesson::FILE)));
     }
     Ok(lessons)
 }

@@ -74,7 +74,7 @@ pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
     serde_json::to_string_pretty(&Failed { map, error: error.to_string() }).expect("plain data")
 }
 
-/// The statements that turn u, v into u', v', to be put behind those that compute u and v.
+/// The statements that change u, v to u', v', after those that compute u and v.
 fn statements(fix: &FaceFix) -> Vec<&'static str> {
     let Orientation { swaps, inverts_u, inverts_v } = fix.orientation;
     // After the swap u holds the old v, so the inversions read alike with and without it.
@@ -202,11 +202,12 @@ fn seams(seams: &[Seam]) -> Vec<JsonSeam> {
     seams.iter().map(seam).collect()
 }
 
-/// The ways to turn and mirror a cube.
+/// The rotations and mirrorings of a cube.
 const TURNS_OF_A_CUBE: usize = 48;
 
 /// What the columns of the seams are.
-const LEGEND: &str = "  score = step / max(detail, 0.5): mean step across the seam over that from texel to texel inside both faces, of 255
+const LEGEND: &str = "  score = step / max(detail, 0.5): mean step across the seam over the mean step between texels \
+    beside it, of 255
   verdict: not by the score, but by comparing orientations: broken if the best orientation continues the two borders decisively
   better elsewhere, or a face at the seam does not belong; undecidable if they go as well with most other borders";
 
@@ -219,7 +220,7 @@ impl fmt::Display for CheckReport<'_> {
             writeln!(formatter, "  {sentence}")?;
         }
         for other in &fix.also {
-            writeln!(formatter, "  as short a story of the same seams: {other}")?;
+            writeln!(formatter, "  another story of the same length: {other}")?;
         }
         if !sentences.is_empty() {
             writeln!(formatter, "  face by face:")?;
@@ -244,7 +245,7 @@ impl fmt::Display for CheckReport<'_> {
         writeln!(formatter, "{LEGEND}")?;
         writeln!(
             formatter,
-            "\n  margin {:.1}: standard errors by which the next different orientation is worse\n  {}",
+            "\n  margin {:.1}: the next different orientation is worse by this number of standard errors\n  {}",
             fix.margin,
             self.equally_good()
         )?;
@@ -260,19 +261,19 @@ impl CheckReport<'_> {
     fn equally_good(&self) -> String {
         let Check { fix, lookup, outliers, .. } = self.check;
         if !outliers.is_empty() {
-            return "equally good orientations: not counted, since a face does not belong here".to_owned();
+            return "equally good orientations: not counted, because a face does not belong here".to_owned();
         }
         if fix.equivalents == 1 {
             return "equally good orientations: 1, the one shown".to_owned();
         }
         let renamed = fix.faces.iter().any(|face| face.image != lookup.row(face.face).image);
         let whole = if renamed && fix.equivalents.is_multiple_of(TURNS_OF_A_CUBE) {
-            "; with images in other places the whole cube can be turned and mirrored in 48 ways"
+            "; once images change places, the whole cube has 48 rotations and mirrorings"
         } else {
             ""
         };
         format!(
-            "equally good orientations: {}, the simplest of them shown: seams cannot tell them apart{whole}",
+            "equally good orientations: {}; the simplest one is shown, seams cannot tell them apart{whole}",
             fix.equivalents
         )
     }
@@ -307,13 +308,13 @@ pub fn nothing_to_fix(check: &Check) -> String {
     match check.verdict {
         Verdict::Fits => "the map fits under this lookup: nothing to fix".to_owned(),
         _ if !check.has_equal_squares() => {
-            "broken: the faces are not square or not of one size, which no lookup repairs".to_owned()
+            "broken: the faces are not square or differ in size, which no lookup repairs".to_owned()
         }
         _ if !outliers.is_empty() => {
-            format!("broken, and no lookup repairs it: {}: the picture does not belong here", outliers.join(", "))
+            format!("broken, and no lookup repairs it: the picture of {} does not belong here", outliers.join(", "))
         }
         Verdict::Undecidable => {
-            "undecidable: the pixels do not tell whether these faces fit; nothing is changed".to_owned()
+            "undecidable: the pixels cannot decide whether these faces fit; nothing is changed".to_owned()
         }
         Verdict::Broken => "broken, but no change is certain; nothing is changed".to_owned(),
     }

@@ -1,4 +1,4 @@
-//! What `skycube lessons` says.
+//! The output of `skycube lessons`.
 
 use std::path::Path;
 
@@ -19,10 +19,8 @@ pub fn lesson_list(lessons: &[Lesson], language: Language) -> String {
     };
     let lines: String = lessons.iter().map(line).collect();
     let hint = match language {
-        Language::En => {
-            "skycube lessons NN shows a lesson, skycube lessons start NN copies its scenes into a folder of yours"
-        }
-        Language::Cs => "skycube lessons NN ukáže lekci, skycube lessons start NN zkopíruje její scény do vaší složky",
+        Language::En => "skycube lessons NN shows a lesson, skycube lessons start NN copies its scenes into a folder",
+        Language::Cs => "skycube lessons NN ukáže lekci, skycube lessons start NN zkopíruje její scény do složky",
     };
     format!("{lines}\n{hint}\n")
 }

@@ -1,4 +1,4 @@
-//! What the tool says and draws: a module for each command, and what they share. Only this module draws.
+//! Reports and drawings: a module for each command, and the code they share. Only this module draws.
 
 mod chart;
 mod check;

@@ -1,4 +1,4 @@
-//! What `skycube probe` says: the lookup as a student would do it by hand.
+//! The report of `skycube probe`: the lookup step by step, as by hand.
 
 use std::fmt;
 

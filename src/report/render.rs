@@ -1,4 +1,4 @@
-//! What a rendering cost and what it left out.
+//! The report of `skycube render`: time, rays, and the work it left out.
 
 use std::fmt;
 use std::path::Path;
@@ -21,7 +21,7 @@ pub struct RenderReport {
     pub picture: String,
     pub width: usize,
     pub height: usize,
-    /// Samples a pixel.
+    /// Samples per pixel.
     pub samples: u32,
     /// True if Ctrl-C ended it before all samples were taken.
     pub stopped: bool,
@@ -93,7 +93,7 @@ impl fmt::Display for RenderReport {
             wing.name()
         )?;
         if self.stopped {
-            writeln!(formatter, "      stopped by Ctrl-C: the picture is complete but noisier than asked for")?;
+            writeln!(formatter, "      stopped by Ctrl-C: the picture is complete, but noisier than requested")?;
         }
         writeln!(
             formatter,
@@ -120,7 +120,7 @@ impl RenderReport {
         let rays = &self.rays;
         writeln!(
             formatter,
-            "rays  {} ({:.1} million a second): camera {}, reflected {}, refracted {}, shadow {}",
+            "rays  {} ({:.1} million per second): camera {}, reflected {}, refracted {}, shadow {}",
             grouped(rays.traced()),
             self.rays_per_second / 1e6,
             grouped(rays.camera),

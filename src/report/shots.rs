@@ -1,4 +1,4 @@
-//! What `skycube shots` says: the files, and the camera to copy.
+//! The report of `skycube shots`: the files, and the camera to copy.
 
 use std::fmt;
 
@@ -16,7 +16,7 @@ pub struct ShotsReport {
     pub lookup: String,
     /// Side of a shot in pixels.
     pub size: usize,
-    /// Samples a pixel.
+    /// Samples per pixel.
     pub samples: u32,
     /// Files written, the shots first.
     pub written: Vec<String>,
@@ -25,7 +25,7 @@ pub struct ShotsReport {
 impl ShotsReport {
     /// The camera of all six in one line.
     pub fn camera(&self) -> String {
-        let unit = if self.samples == 1 { "sample at the pixel's centre" } else { "samples a pixel" };
+        let unit = if self.samples == 1 { "sample at the pixel's centre" } else { "samples per pixel" };
         format!(
             "camera at (0, 0, 0), 90° wide and high, {} x {} pixels, {} {unit}, right = forward x up; world up {}, lookup {}",
             self.size, self.size, self.samples, self.world_up, self.lookup

@@ -8,8 +8,8 @@
 //!   position   o----- right
 //! ```
 //!
-//! Through a lens, all rays of a place in the picture meet in the plane that is in focus; what lies nearer or farther is
-//! spread over a disc (Cook, Porter and Carpenter, Distributed Ray Tracing, 1984):
+//! Through a lens, all rays of a point in the picture meet in the plane of focus; nearer and farther points are spread
+//! over a disc (Cook, Porter and Carpenter, Distributed Ray Tracing, 1984):
 //!
 //! ```text
 //!     lens |\                       a point in focus at the depth `focus`: one place in the picture

@@ -1,6 +1,6 @@
 //! The ray tracer: from numbers to rendered pictures.
 //!
-//! Read the modules in this order; none knows those below it.
+//! Read the modules in this order; none uses those below it.
 
 pub use skycube_files::{choice, error, memory, take_notes};
 

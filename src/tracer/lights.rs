@@ -46,7 +46,7 @@ pub struct Illumination {
 }
 
 impl Light {
-    /// Where all its light comes from; `None` if that is no point.
+    /// The point of origin of its light; `None` if the light has no position.
     pub fn position(&self) -> Option<DVec3> {
         match *self {
             Light::Point { position, .. } | Light::Spot { position, .. } => Some(position),

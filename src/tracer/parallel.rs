@@ -1,7 +1,7 @@
-//! Work on all cores, in pieces large enough that handing one over costs nothing beside it.
+//! Parallel work on all cores, in pieces large enough to hide the cost of scheduling.
 //!
-//! The loop over the pieces is compiled once for the whole program. A parallel iterator of rayon is compiled anew for every
-//! closure, a few thousand lines each: those are left to the loops with many small pieces.
+//! The loop over the pieces is compiled once for the whole program. A parallel iterator of rayon is compiled for every
+//! closure, a few thousand lines each: only loops with many small pieces use one.
 
 use std::sync::Mutex;
 

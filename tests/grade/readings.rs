@@ -124,7 +124,7 @@ fn a_preset_seen_by_a_wrong_camera_is_named() {
     // A mirrored camera would leave as many faces wrong, but it is no simpler.
     let grade = Student { faces: EXERCISE, ..RIGHT }.grade(&photographs);
     let text = report(&grade);
-    assert!(text.contains("with as many wrong faces (5), but more to change in them: all six are mirrored"), "{text}");
+    assert!(text.contains("with as many wrong faces (5), but more changes in them: all six are mirrored"), "{text}");
     assert!(text.contains("\n  your code contains exactly the preset exercise"), "{text}");
     assert_eq!(grade.verdict(), GradeVerdict::Lookup);
     assert_eq!(grade.preset.unwrap().camera, CameraFault::NONE);
@@ -150,7 +150,7 @@ fn a_preset_in_the_code_is_named() {
     let text = graded(&opengl, &["--lookup", "humus-z-up"]);
     println!("{text}");
     assert!(text.contains("your code contains exactly the preset opengl"), "{text}");
-    assert!(text.contains("use --lookup opengl --world-up +z if that is what you wanted"), "{text}");
+    assert!(text.contains("use --lookup opengl --world-up +z if you meant that one"), "{text}");
     assert!(!text.contains("the camera is wrong, the lookup is right"), "{text}");
     assert!(!text.contains("--lookup was not given"), "{text}");
     let json = graded(&opengl, &["--lookup", "humus-z-up", "--json"]);
@@ -159,12 +159,9 @@ fn a_preset_in_the_code_is_named() {
 
     let text = graded(&["--lookup", "humus-z-up"], &[]);
     println!("{text}");
-    assert!(
-        text.contains("the lookup course (world up +z), by which it is judged because --lookup was not given"),
-        "{text}"
-    );
+    assert!(text.contains("the lookup course (world up +z) (the default, because --lookup was not given)"), "{text}");
     assert!(text.contains("your code contains exactly the preset humus-z-up"), "{text}");
-    assert!(text.contains("use --lookup humus-z-up if that is what you wanted"), "{text}");
+    assert!(text.contains("use --lookup humus-z-up if you meant that one"), "{text}");
     let right = graded(&["--lookup", "humus-z-up"], &["--lookup", "humus-z-up"]);
     assert!(!right.contains("preset"), "{right}");
 }

@@ -32,8 +32,8 @@ fn refuses_what_cannot_be_traced() {
       expected: 3, or none
     "#);
     insta::assert_snapshot!(refusal(|g| g.triangles = vec![[0, 1, 1], [2, 2, 2]]), @r#"
-    no triangle of the mesh has an area
-      expected: at least one that has
+    all triangles of the mesh have zero area
+      expected: one triangle with an area
     "#);
 }
 

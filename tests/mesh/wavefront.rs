@@ -120,7 +120,7 @@ fn what_is_left_out_is_said() {
     assert_eq!((red.specular, &materials.groups[1]), (Some(Vec3::ONE), &None));
     let remarks = materials.remarks.join("\n");
     assert!(
-        remarks.contains("m.mtl:3: \"Ks 1.0. 1 1\"") && remarks.contains("gone.mtl: there is no such file"),
+        remarks.contains("m.mtl:3: \"Ks 1.0. 1 1\"") && remarks.contains("gone.mtl: the file does not exist"),
         "{remarks}"
     );
 }
@@ -188,15 +188,15 @@ fn names_the_line_that_is_wrong() {
     let face = |line: &str| refusal(&format!("v 0 0 0\nv 1 0 0\nv 0 1 0\n{line}\n"), None);
     insta::assert_snapshot!(face("f 1 2 4"), @r#"
     o.obj:4: the corner "4" has vertex 4
-      expected: 1 to 3, or -1 to -3: so many are defined before this line
+      expected: 1 to 3, or -1 to -3: 3 are defined before this line
     "#);
     insta::assert_snapshot!(face("f 1 2 0"), @r#"
     o.obj:4: the corner "0" has vertex 0
-      expected: 1 to 3, or -1 to -3: so many are defined before this line
+      expected: 1 to 3, or -1 to -3: 3 are defined before this line
     "#);
     insta::assert_snapshot!(face("f 1/1 2/1 3/1"), @r#"
     o.obj:4: the corner "1/1" has texture coordinate 1
-      expected: none: no such line comes before it
+      expected: none: no line of this kind comes before it
     "#);
     insta::assert_snapshot!(face("f 1 two 3"), @r#"
     o.obj:4: found the corner "two"
@@ -216,8 +216,8 @@ fn names_the_line_that_is_wrong() {
     "#);
     insta::assert_snapshot!(face("usemtl red\nf 1 2 3"), @r#"
     o.obj:4: no material "red"
-      expected: a `mtllib` line that names a file with this material
-      help: put the MTL file where the OBJ file's `mtllib` line says, or give the shape a `material` of the scene
+      expected: a `mtllib` line for a file with this material
+      help: put the MTL file where the `mtllib` line of the OBJ file points, or give the shape a `material` of the scene
     "#);
     insta::assert_snapshot!(face(""), @r#"
     o.obj: the mesh has no triangles
@@ -228,22 +228,22 @@ fn names_the_line_that_is_wrong() {
 #[test]
 fn names_the_material_file_that_is_wrong() {
     insta::assert_snapshot!(refusal(OBJECT, None), @r#"
-    m.mtl: there is no such file
-      help: put the MTL file where the OBJ file's `mtllib` line says, or give the shape a `material` of the scene
+    m.mtl: the file does not exist
+      help: put the MTL file where the `mtllib` line of the OBJ file points, or give the shape a `material` of the scene
     "#);
     insta::assert_snapshot!(refusal(OBJECT, Some("newmtl plain\n")), @r#"
     o.obj:13: no material "red"
       expected: one of plain
-      help: put the MTL file where the OBJ file's `mtllib` line says, or give the shape a `material` of the scene
+      help: put the MTL file where the `mtllib` line of the OBJ file points, or give the shape a `material` of the scene
     "#);
     insta::assert_snapshot!(refusal(OBJECT, Some("newmtl red\nKd 1 0\n")), @r#"
     m.mtl:2: found "Kd 1 0"
       expected: three numbers
-      help: put the MTL file where the OBJ file's `mtllib` line says, or give the shape a `material` of the scene
+      help: put the MTL file where the `mtllib` line of the OBJ file points, or give the shape a `material` of the scene
     "#);
 }
 
 #[test]
 fn a_file_that_is_not_there_is_an_error() {
-    assert!(ObjFile::read("no/such.obj").unwrap_err().to_string().starts_with("no/such.obj: there is no such file"));
+    assert!(ObjFile::read("no/such.obj").unwrap_err().to_string().starts_with("no/such.obj: the file does not exist"));
 }

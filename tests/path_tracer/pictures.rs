@@ -29,7 +29,7 @@ fn a_point_out_of_focus_is_spread_over_the_disc_that_the_lens_casts() {
                 materials.lamp = { kind = \"light\", radiance = 1000 }\n\
                 shapes = [{ kind = \"sphere\", centre = [0, 10, 0], radius = 0.05, material = \"lamp\" }]\n";
     let raster = rendering(&scene(text)).raster;
-    // Half the picture is 0.5 at distance 1: 64 pixels a unit.
+    // Half the picture is 0.5 at distance 1: 64 pixels per unit.
     let radius = 0.5 * (0.5 - 0.1) * 64.0;
     for y in 0..64 {
         for x in 0..64 {
@@ -66,13 +66,13 @@ fn layers_hold_what_the_camera_meets_first() {
 }
 
 #[test]
-fn the_variance_layer_foretells_the_error_of_independent_samples() {
+fn the_variance_layer_predicts_the_error_of_independent_samples() {
     // Without glass and mirrors: rare bright samples would need more pictures than a test has time for.
-    let dull = MIXED
+    let diffuse = MIXED
         .replace("\"glass\"", "\"floor\"")
         .replace("\"mirror\"", "\"floor\"")
         .replace("kind = \"floor\"", "kind = \"mirror\"");
-    let mut scene = scene(&dull);
+    let mut scene = scene(&diffuse);
     let plan = Plan::new(&scene);
     let independent = |seed| Sampling { sampler: SamplerKind::Independent, seed, ..Sampling::default() };
     scene.sampling = independent(1);
@@ -107,27 +107,27 @@ fn the_plan_of_the_path_tracer_leaves_out_what_the_scene_does_not_need() {
     };
     let mirror = "materials.a = { kind = \"mirror\" }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{mirror}")), @r"
-    no point, spot or directional light: no rays to any
-    no emissive shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
-    no rays sent to lights with an extent: no photon pass
+    no point, spot or directional light: no shadow rays to them
+    no emissive shape, no environment, or only mirrors and smooth glass: no shadow rays to area lights and environment
+    no shadow rays to area lights and environment: no photon pass
     no glass: no refracted rays, no media
-    no environment picture: nothing decoded
+    no environment picture: nothing to decode
     1 shape, too few: no hierarchy over them
     ");
     let matt = "materials.a = { kind = \"lambert\", colour = 1 }\nshapes = [{ kind = \"sphere\", material = \"a\" }]\n";
     insta::assert_snapshot!(left_out(matt), @r"
-    no point, spot or directional light: no rays to any
-    no emissive shape, no environment, or nothing but mirrors and smooth glass: no rays sent to lights with an extent
-    no rays sent to lights with an extent: no photon pass
+    no point, spot or directional light: no shadow rays to them
+    no emissive shape, no environment, or only mirrors and smooth glass: no shadow rays to area lights and environment
+    no shadow rays to area lights and environment: no photon pass
     no glass: no refracted rays, no media
-    no environment picture: nothing decoded
+    no environment picture: nothing to decode
     1 shape, too few: no hierarchy over them
     ");
     insta::assert_snapshot!(left_out(&format!("{FURNACE}{matt}")), @r"
-    no point, spot or directional light: no rays to any
-    no mirror and no smooth glass beside other surfaces: no photon pass
+    no point, spot or directional light: no shadow rays to them
+    no mirrors or smooth glass beside other surfaces: no photon pass
     no glass: no refracted rays, no media
-    no environment picture: nothing decoded
+    no environment picture: nothing to decode
     1 shape, too few: no hierarchy over them
     ");
     let counts = rendering(&scene(&format!("{FURNACE}{mirror}"))).counts;

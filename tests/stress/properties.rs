@@ -10,7 +10,7 @@ use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::shapes::Geometry;
 use skycube::shapes::mesh::Mesh;
 use skycube::stress::Random;
-use skycube::stress::{ball, hit_error, placed, ulp_f32};
+use skycube::stress::{hit_error, placed, sphere_at, ulp_f32};
 
 use crate::icosphere;
 
@@ -38,7 +38,7 @@ proptest! {
         let centre = place * span.max(radius);
         let origin = centre + away * (radius + span);
         let ray = Ray::new(origin, (centre + aim * (0.99 * radius) - origin).normalize());
-        prop_assert!(hit_error(&ball(centre, radius), &ray) < 4.0 * ulp_f32(radius.max(span)));
+        prop_assert!(hit_error(&sphere_at(centre, radius), &ray) < 4.0 * ulp_f32(radius.max(span)));
     }
 
     #[test]

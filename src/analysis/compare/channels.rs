@@ -19,7 +19,7 @@ impl Kind for RedBlueSwapped {
 
     fn sentence(&self) -> String {
         let explained = &self.evidence;
-        format!("Red and blue have changed places: you write BGR where RGB is expected ({explained}).")
+        format!("Red and blue are exchanged: you write BGR where RGB is expected ({explained}).")
     }
 }
 

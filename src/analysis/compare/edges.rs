@@ -1,4 +1,4 @@
-//! Whether what is left lies along edges only: that is how pictures of another number of samples differ.
+//! Whether the rest of the difference lies along edges only, as between pictures with different numbers of samples.
 
 use serde::Serialize;
 

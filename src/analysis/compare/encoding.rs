@@ -1,4 +1,4 @@
-//! Pictures whose light is encoded in another way.
+//! Pictures with another encoding of light.
 
 use serde::Serialize;
 
@@ -27,8 +27,8 @@ impl Kind for Encoding {
         let cause = match self.curve {
             Curve::AsExpected => "The encoding is as expected".to_owned(),
             Curve::NotEncoded => {
-                "Your picture looks like the expected one without gamma: the linear values are in the file, encode them as \
-                 sRGB before writing"
+                "Your picture looks like the expected one without gamma: the linear values are in the file, encode \
+                 them as sRGB before writing"
                     .to_owned()
             }
             Curve::EncodedTwice => {
@@ -39,7 +39,7 @@ impl Kind for Encoding {
                     .to_owned()
             }
             Curve::Power(power) => {
-                format!("Your contrast is another: your light is the expected light to the power {power:.2}")
+                format!("Your contrast differs: your light is the expected light to the power {power:.2}")
             }
         };
         format!("{cause} ({}).", self.evidence)

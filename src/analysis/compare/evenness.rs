@@ -1,4 +1,4 @@
-//! Pictures that show nothing but one tone, or one tone and noise.
+//! Uniform pictures: one tone, or one tone and noise.
 
 use serde::Serialize;
 
@@ -16,7 +16,7 @@ const BLOCK: usize = 8;
 const STEADY: f64 = 0.006;
 /// Variance of the block means against that of independent pixels.
 const LARGEST_OF_NOISE: f64 = 3.0;
-/// More than this is no noise around one tone.
+/// More than this is not noise around one tone.
 const LOUDEST: f64 = 0.15;
 
 /// How far the luma of a picture scatters, in codes of `[0, 1]`.
@@ -88,19 +88,19 @@ impl Kind for Flat {
         let Self { luma, alpha, deviation } = *self;
         let tone = match luma {
             _ if deviation >= 0.6 => format!(
-                "Your picture is even but for noise (standard deviation {deviation:.1} of 255); the expected one shows \
-                 something."
+                "Your picture is uniform apart from noise (standard deviation {deviation:.1} of 255); the expected \
+                 one has content."
             ),
             ..0.01 => {
                 "Your picture is black: nothing was rendered, or light, camera or material numbers are zero.".to_owned()
             }
-            ..=0.99 => "Your picture is of one tone all over: every ray gets the same colour.".to_owned(),
-            _ => {
-                "Your picture is white all over: the values are far too large, or the file was written in other units."
-                    .to_owned()
-            }
+            ..=0.99 => "Your picture is of one tone: every ray gets the same colour.".to_owned(),
+            _ => "Your picture is white everywhere: the values are far too large, or the file was written in other \
+                 units."
+                .to_owned(),
         };
-        let alpha = if alpha { " The file has an alpha channel, which is not applied: write one without." } else { "" };
+        let alpha =
+            if alpha { " The file has an alpha channel, which is ignored: write a file without one." } else { "" };
         format!("{tone}{alpha}")
     }
 }
@@ -112,8 +112,8 @@ impl Kind for ExpectedEven {
     fn sentence(&self) -> String {
         let Self { mine, expected } = self;
         format!(
-            "The expected picture is even; yours shows something: your tones deviate by {mine:.1} of 255, those expected \
-             by {expected:.1}."
+            "The expected picture is uniform; yours has content: its tones deviate by {mine:.1} of 255, the expected \
+             ones by {expected:.1}."
         )
     }
 }

@@ -13,8 +13,8 @@ impl Kind for Everywhere {
     const NAME: &'static str = "everywhere";
 
     fn sentence(&self) -> String {
-        "The same things are to be seen, but they differ in many places, and no flip, shift, gamma or exposure \
-         explains it."
+        "The content is the same, but it differs in many places, and no flip, shift, gamma or exposure explains the \
+         difference."
             .to_owned()
     }
 }

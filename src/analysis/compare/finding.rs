@@ -1,8 +1,8 @@
-//! What can be said of a picture.
+//! The findings about a picture.
 //!
 //! A kind of finding is one file with its detector, its figures and its sentence, and one line in a list: `PARTS` of
-//! [`super::search`] for mistakes that can be undone, `OTHER_PICTURES` there for pictures that show something else,
-//! `ALL_OVER` of [`super::rest`] for what is left in the end.
+//! [`super::search`] for mistakes that can be corrected, `OTHER_PICTURES` there for pictures of something else,
+//! `ALL_OVER` of [`super::rest`] for the remaining difference.
 
 use std::fmt;
 
@@ -30,7 +30,7 @@ pub struct Finding {
 pub enum Weight {
     /// The metric decides.
     Difference,
-    /// It is not the expected picture, however small the difference in numbers: a missing ball is a small part of the mean.
+    /// It is not the expected picture, however small the difference in numbers: a missing sphere is a small part of the mean.
     Fault,
     /// The same, and mine shows something else, so that nothing finer can be said.
     AnotherPicture,
@@ -64,6 +64,6 @@ pub(super) struct Evidence {
 impl fmt::Display for Evidence {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { before, after } = self;
-        write!(formatter, "undoing it takes the mean difference from {before:.1} to {after:.1} of 255")
+        write!(formatter, "its correction reduces the mean difference from {before:.1} to {after:.1} of 255")
     }
 }

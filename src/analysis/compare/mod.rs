@@ -1,6 +1,6 @@
 //! What a student's picture does differently from the expected one.
 //!
-//! The search goes from what is seen in spite of everything else to what is fine:
+//! The search goes from the coarse to the fine:
 //!
 //! ```text
 //!   orientation   and a rough shift, by correlation, which hardly sees tones
@@ -9,11 +9,10 @@
 //!   rest          clipped highlights, a region, edges, noise, or all over
 //! ```
 //!
-//! Pictures without detail get their orientation from their colours. Where no orientation correlates, another field of
-//! view or factor width/height is tried, whether a part of the picture fits in place, and whether the outlines do in
-//! other tones.
+//! Pictures without detail get their orientation from their colours. Where no orientation correlates, the search tries
+//! another field of view or factor width/height, a part of the picture that fits in place, and outlines in other tones.
 //!
-//! Each finding is kept only if undoing all the others without it leaves decisively more.
+//! A finding is kept only if the difference is decisively larger without its correction.
 
 mod channels;
 mod clipped;

@@ -20,7 +20,7 @@ impl Kind for Noise {
 
     fn sentence(&self) -> String {
         format!(
-            "{} has no structure, it is noise (standard deviation {:.1} of 255): more samples a pixel make it smaller, \
+            "{} has no structure: it is noise (standard deviation {:.1} of 255). More samples per pixel reduce it, \
              unless it is the expected picture's noise.",
             self.subject, self.deviation
         )

@@ -4,7 +4,7 @@ use crate::envmap::ImageOperation;
 use crate::math::Vec3;
 use crate::picture::Raster;
 
-/// The eight ways a picture may be placed, the simplest first.
+/// The eight orientations of a picture, the simplest first.
 pub(super) const OPERATIONS: [ImageOperation; 8] = [
     ImageOperation::None,
     ImageOperation::FlipLeftRight,

@@ -26,16 +26,16 @@ impl Kind for Placed {
         let cause = match self.operation {
             ImageOperation::None => "placed as expected",
             ImageOperation::FlipLeftRight => {
-                "flipped left-right: x of the pixel has the wrong sign, or right was negated after top = right x forward was \
-                 computed"
+                "flipped left-right: x of the pixel has the wrong sign, or right was negated after top = right x \
+                 forward was computed"
             }
             ImageOperation::FlipTopBottom => {
-                "flipped top-bottom: rows are counted from the bottom where the file counts from the top, or top = forward x \
-                 right"
+                "flipped top-bottom: rows are counted from the bottom where the file counts from the top, or top = \
+                 forward x right"
             }
             ImageOperation::Turn180 => {
-                "turned by 180°: right = up x forward in place of forward x up (top = right x forward then turns round with \
-                 it), or x and y of the pixel both have the wrong sign"
+                "turned by 180°: right = up x forward in place of forward x up (top = right x forward then changes \
+                 its sign, too), or x and y of the pixel both have the wrong sign"
             }
             ImageOperation::TurnClockwise => {
                 "turned by 90° clockwise: rows and columns are exchanged, and one of them is counted backwards"
@@ -47,8 +47,8 @@ impl Kind for Placed {
                 "mirrored about the diagonal from the top left: rows and columns are exchanged"
             }
             ImageOperation::Transverse => {
-                "mirrored about the diagonal from the top right: right and top are exchanged, or rows and columns are, both \
-                 counted backwards"
+                "mirrored about the diagonal from the top right: right and top are exchanged, or rows and columns \
+                 are, both counted backwards"
             }
         };
         format!("Your picture is {cause} ({}).", self.evidence)

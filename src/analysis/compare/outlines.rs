@@ -1,9 +1,9 @@
-//! Pictures whose outlines agree though their tones do not: normals turned inside out, lights and darks exchanged, other
+//! Pictures with the same outlines in other tones: normals turned inside out, lights and darks exchanged, other
 //! materials.
 //!
-//! Outlines are the lengths of the gradients of all three channels, which no exchange of light and dark changes, with large
-//! ones bounded: `g / (g + k)`. What outlines of other things share by chance is measured on the same pictures, placed over
-//! each other with mine moved by eighths of its width.
+//! Outlines are the lengths of the gradients of all three channels, which no exchange of light and dark changes, with
+//! large ones bounded: `g / (g + k)`. The chance agreement of unrelated outlines is measured on the same pictures,
+//! placed over each other with mine moved by eighths of its width.
 
 use serde::Serialize;
 
@@ -46,14 +46,14 @@ impl Kind for Recoloured {
     fn sentence(&self) -> String {
         let Self { outlines, inverted } = self;
         let tones = if *inverted >= 0.1 {
-            format!("in {:.0} % of what has structure light and dark are exchanged", 100.0 * inverted)
+            format!("light and dark are exchanged in {:.0} % of the structured area", 100.0 * inverted)
         } else {
             "differently from place to place".to_owned()
         };
         format!(
-            "Everything stands in its place (the outlines correlate by {outlines:.2}), but its colours are other ones: \
-             {tones}. The camera is right. Check the normals (one that points the other way turns (n + 1) / 2 into the \
-             complementary colour, and a lit surface black), then materials and lights."
+            "All outlines are in place (they correlate by {outlines:.2}), but the colours differ: {tones}. The camera \
+             is right. Check the normals (one that points the other way turns (n + 1) / 2 into the complementary \
+             colour, and a lit surface black), then materials and lights."
         )
     }
 }

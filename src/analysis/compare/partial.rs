@@ -1,7 +1,7 @@
-//! Pictures that agree in a part: what stands there stands where it should, and the rest is other.
+//! Pictures that agree in one part: its objects are in place, the rest differs.
 //!
-//! The luma, freed from slow changes, is correlated block by block. That blocks of pictures of other things correlate by
-//! chance is measured on the same pictures, placed over each other with mine moved by eighths of its width.
+//! The luma, freed from slow changes, is correlated block by block. The chance correlation of unrelated blocks is
+//! measured on the same pictures, placed over each other with mine moved by eighths of its width.
 
 use serde::Serialize;
 
@@ -55,16 +55,16 @@ impl Kind for Partial {
         let fits = 100.0 * self.fits;
         if self.surrounding {
             return format!(
-                "The shapes stand where they should ({fits:.0} % of what has structure fits in place); what differs is \
-                 mostly the background ({:.0} % of the picture's border differs). Is the environment read by the right \
-                 lookup? `skycube grade` finds out.",
+                "The shapes are in place ({fits:.0} % of the structured area fits); the difference is mostly in the \
+                 background ({:.0} % of the picture's border differs). Is the environment read by the right lookup? \
+                 `skycube grade` finds out.",
                 100.0 * self.border
             );
         }
         let ([left, right], [top, bottom]) = (self.columns, self.rows);
         format!(
-            "{fits:.0} % of what has structure fits in place; what differs is mostly in columns {left} to {right}, rows \
-             {top} to {bottom}. Check what stands there; if everything does, check the camera."
+            "{fits:.0} % of the structured area fits in place; the rest differs mostly in columns {left} to {right}, \
+             rows {top} to {bottom}. Check the objects there; if all are right, check the camera."
         )
     }
 }

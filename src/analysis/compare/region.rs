@@ -110,7 +110,7 @@ fn mean_within(map: &Plane, xs: std::ops::Range<usize>, ys: std::ops::Range<usiz
     rows.sum::<f64>() / count.max(1) as f64
 }
 
-/// Every cell with its eight neighbours: one firefly is no region.
+/// Every cell with its eight neighbours, so that one firefly is not a region.
 fn smoothed(cells: &[f64], columns: usize, rows: usize) -> Vec<f64> {
     let around = |cell: usize, count: usize| cell.saturating_sub(1)..(cell + 2).min(count);
     let mean = |index: usize| {

@@ -1,4 +1,4 @@
-//! Whether what is left looks like noise.
+//! Whether the remaining difference looks like noise.
 
 use super::region::Region;
 use super::undoing::Aligned;

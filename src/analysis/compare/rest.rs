@@ -1,4 +1,4 @@
-//! What is to be said of the difference that is left.
+//! Findings about the remaining difference.
 
 use super::clipped;
 use super::edges;

@@ -1,6 +1,6 @@
 //! Pictures of another field of view.
 //!
-//! Of a camera that stands and looks the same, another field of view scales the picture about its centre:
+//! With the same position and direction of the camera, another field of view scales the picture about its centre:
 //!
 //! ```text
 //!   factor = tan(half the expected angle) / tan(half mine)      mine shows at c + factor (p - c)
@@ -60,9 +60,10 @@ impl Kind for Scaled {
         let Self { factor, correlation } = self;
         let view = if *factor > 1.0 { "narrower" } else { "wider" };
         format!(
-            "Your picture shows the same things {factor:.2} times as large: your field of view is {view} (scaled back about \
-             the centre, it correlates with the expected one by {correlation:.2}). Multiply the tangent of half your angle by \
-             {factor:.2}, and check whether the angle is meant across the width or the height, in degrees or radians."
+            "Your picture shows the same things {factor:.2} times as large: your field of view is {view} (scaled back \
+             about the centre, it correlates with the expected one by {correlation:.2}). Multiply the tangent of half \
+             your angle by {factor:.2}, and check whether the angle is meant across the width or the height, in \
+             degrees or radians."
         )
     }
 }
@@ -84,19 +85,16 @@ impl Kind for Stretched {
             true if is(aspect * aspect) => {
                 (" = (width/height)²", "the half width has the factor height/width in place of width/height")
             }
-            false if is(aspect) => {
-                (" = width/height", "the half height is divided by width/height, as it should not be")
+            false if is(aspect) => (" = width/height", "the half height is wrongly divided by width/height"),
+            false if is(1.0 / aspect) => {
+                (" = height/width", "the half height has the factor width/height, which belongs only to the half width")
             }
-            false if is(1.0 / aspect) => (
-                " = height/width",
-                "the half height has the factor width/height, which belongs to the half width alone",
-            ),
             _ => ("", "check the factor width/height, and which of the two halves it belongs to"),
         };
         format!(
             "Your picture shows the same things {how} {factor:.2}{ratio}: {cause} (scaled back about the centre, it \
-             correlates with the expected one by {correlation:.2}). half_height = tan(angle / 2), half_width = half_height * \
-             width / height."
+             correlates with the expected one by {correlation:.2}). half_height = tan(angle / 2), half_width = \
+             half_height * width / height."
         )
     }
 }

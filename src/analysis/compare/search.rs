@@ -1,4 +1,4 @@
-//! The search for what was done to a picture.
+//! The search for the changes to a picture.
 
 use super::evenness::{self, Evenness};
 use super::finding::{Evidence, Finding};

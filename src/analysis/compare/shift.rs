@@ -1,4 +1,4 @@
-//! By how much a picture is shifted, to a fraction of a pixel.
+//! The shift of a picture, to a fraction of a pixel.
 
 use crate::math::Vec3;
 use crate::metrics::{Plane, gaussian};

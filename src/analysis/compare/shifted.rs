@@ -40,8 +40,8 @@ impl Kind for Shifted {
         let blurred = if x.fract() == 0.0 && y.fract() == 0.0 { "" } else { " of the slightly blurred pictures" };
         let Evidence { before, after } = evidence;
         format!(
-            "Your picture is shifted by {}{hint} (undoing it takes the mean difference{blurred} from {before:.1} to \
-             {after:.1} of 255).",
+            "Your picture is shifted by {}{hint} (its correction reduces the mean difference{blurred} from \
+             {before:.1} to {after:.1} of 255).",
             ways.join(" and ")
         )
     }

@@ -21,11 +21,11 @@ impl Kind for Size {
         let ([width, height], [expected_width, expected_height]) = (self.mine, self.expected);
         let sizes = format!("Yours is {width} x {height} pixels, expected are {expected_width} x {expected_height}");
         if self.same_proportions {
-            return format!("{sizes}: it was resampled for all that follows.");
+            return format!("{sizes}: it was resampled for the rest of the comparison.");
         }
         format!(
-            "{sizes}, which are other proportions: it was stretched for all that follows, so trust little of it. Render it \
-             at {expected_width} x {expected_height}."
+            "{sizes}, in other proportions: it was stretched for the rest of the comparison, which is therefore \
+             unreliable. Render it at {expected_width} x {expected_height}."
         )
     }
 }

@@ -1,6 +1,6 @@
-//! The orientation of a picture without detail: a gradient, a furnace, directions as colours. Correlation of detail would
-//! see nothing there but what a lossy file left, so the colours themselves are compared, under every orientation with the
-//! tone that explains it best.
+//! The orientation of a picture without detail: a gradient, a furnace, directions as colours. Correlation of detail
+//! would only see compression artefacts, so the colours themselves are compared, under every orientation with the tone
+//! that explains it best.
 
 use super::structure::{self, Match};
 use super::tone::Tone;

@@ -1,7 +1,8 @@
-//! The orientation of a picture, and about how far it is shifted: from what it shows, whatever its tones.
+//! The orientation of a picture and its rough shift, from its content and independent of its tones.
 //!
-//! Both pictures are made small, their lumas freed from slow changes, and compared by normalised cross-correlation under
-//! all orientations and shifts. Correlation does not see exposure and hardly sees gamma, so this comes first.
+//! Both pictures are made small, their lumas freed from slow changes, and compared by normalised cross-correlation
+//! under all orientations and shifts. Correlation is blind to exposure and hardly affected by gamma, so this step comes
+//! first.
 
 use super::operations::{OPERATIONS, exchanges_sides, placed};
 use super::resized::resized;

@@ -1,4 +1,4 @@
-//! What is done to the tones of a picture on its way into the file.
+//! The changes to the tones of a picture before it is written.
 
 use crate::math::Vec3;
 use crate::math::functions::power;

@@ -1,4 +1,4 @@
-//! Everything that was found, undone together or in part.
+//! All findings, corrected together or in part.
 
 use super::finding::{Evidence, Finding};
 use super::operations::placed;

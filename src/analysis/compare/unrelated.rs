@@ -18,9 +18,8 @@ impl Kind for Unrelated {
     const WEIGHT: Weight = Weight::AnotherPicture;
 
     fn sentence(&self) -> String {
-        "Your picture shows something else: nothing in it stands where the expected picture has it, however it is \
-         flipped, turned or shifted by up to a tenth. Check the scene, and the camera's position, direction and field of \
-         view."
+        "Your picture shows something else: nothing in it matches the expected picture, even flipped, turned or \
+         shifted by up to a tenth. Check the scene, and the camera's position, direction and field of view."
             .to_owned()
     }
 }

@@ -1,4 +1,4 @@
-//! The part of the error that more samples do not take away.
+//! Bias: the part of the error that more samples do not remove.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! References that were rendered before.
+//! Cached references.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};

@@ -1,4 +1,4 @@
-//! What of a scene's settings may be compared.
+//! The settings of a scene that can be compared.
 
 use serde::{Serialize, Serializer};
 
@@ -7,17 +7,17 @@ use crate::envmap::CubeFilter;
 use crate::sampling::{PixelFilter, SamplerKind};
 use crate::scene::{Caustics, IntegratorKind, Scene, Strategy};
 
-/// One way to render a scene.
+/// One configuration of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Configuration {
     pub integrator: IntegratorKind,
-    /// Reflections and refractions followed at most.
+    /// The greatest number of reflections and refractions.
     pub depth: u32,
     pub strategy: Strategy,
     pub caustics: Caustics,
     pub sampler: SamplerKind,
     pub pixel_filter: PixelFilter,
-    /// How the environment is read between texels; `None` if it is no cube map.
+    /// How the environment is read between texels; `None` if it is not a cube map.
     #[serde(serialize_with = "none_as_word")]
     pub environment_filter: Option<CubeFilter>,
 }
@@ -36,7 +36,7 @@ impl Configuration {
         }
     }
 
-    /// Has the scene rendered this way.
+    /// Applies this configuration to the scene.
     pub fn apply(&self, scene: &mut Scene) {
         scene.integrator.kind = self.integrator;
         scene.integrator.depth = self.depth;

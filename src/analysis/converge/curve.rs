@@ -19,7 +19,7 @@ use crate::picture::Raster;
 use crate::render::{Progress, Renderer, Silent};
 use crate::scene::{Plan, Scene};
 
-/// A rendering after so many samples a pixel, in the mean over the seeds.
+/// A rendering after this number of samples per pixel, in the mean over the seeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Step {
     pub samples: u32,

@@ -1,4 +1,4 @@
-//! How far renderings are from the reference.
+//! The errors of renderings against the reference.
 
 use serde::Serialize;
 

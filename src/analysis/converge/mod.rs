@@ -1,4 +1,4 @@
-//! Error against run time: what a second of computing buys.
+//! Convergence: error against samples and run time.
 //!
 //! ```text
 //!   scene x variants              for every variant, at 1, 4, 16, ... samples:

@@ -8,9 +8,9 @@ use super::schedule::Schedule;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Protocol<'a> {
     pub schedule: Schedule,
-    /// Renderings of every variant, each with a seed of its own; at least 2, for the bias cannot be told from one.
+    /// Renderings of every variant, each with another seed; at least 2, since a single one does not show the bias.
     pub seeds: u32,
-    /// Samples a pixel of a reference, over both of its halves.
+    /// Samples per pixel of a reference, over both of its halves.
     pub reference_samples: u32,
     /// The folder where references are kept; `None` keeps none.
     pub cache: Option<&'a Path>,

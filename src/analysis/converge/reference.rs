@@ -1,4 +1,4 @@
-//! What the errors are measured against.
+//! The reference of the errors.
 
 use serde::Serialize;
 
@@ -28,7 +28,7 @@ pub struct Reference {
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReferenceFacts {
     pub configuration: Configuration,
-    /// Samples a pixel over both halves.
+    /// Samples per pixel over both halves.
     pub samples: u32,
     /// The expected errors of the mean against a perfect picture, estimated from the halves: the errors of a half
     /// against the mean, `(a - (a + b)/2)^2 = (a - b)^2 / 4`, whose expectation is the variance of the mean.
@@ -45,7 +45,7 @@ impl ReferenceFacts {
     /// What a picture of it says of itself.
     fn remark(&self) -> String {
         let Self { samples, errors, .. } = self;
-        format!("{samples} samples a pixel, standard error {:.3e} (root mean square)", errors.rmse)
+        format!("{samples} samples per pixel, standard error {:.3e} (root mean square)", errors.rmse)
     }
 }
 

@@ -5,20 +5,21 @@ use std::time::Duration;
 /// The steps of a rendering.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Schedule {
-    /// At these counts of samples a pixel, ascending.
+    /// At these counts of samples per pixel, ascending.
     Samples(Vec<u32>),
     /// At 1, 4, 16, ... samples as long as they fit into the time, and when it is over.
     Time(Duration),
 }
 
-/// The most samples a pixel, whatever the time.
+/// The most samples per pixel, whatever the time.
 const MOST_SAMPLES: f64 = (1 << 24) as f64;
 
 /// A step that adds less than this share is not worth a point in a plot.
 const LEAST_GROWTH: f64 = 1.25;
 
 impl Schedule {
-    /// The count of samples at the next step of a rendering that has so many after so long; `None` if it is finished.
+    /// The number of samples at the next step of a rendering, from its present samples and time; `None` if it is
+    /// finished.
     pub fn next(&self, samples: u32, elapsed: Duration) -> Option<u32> {
         match self {
             Schedule::Samples(steps) => steps.iter().copied().find(|&step| step > samples),

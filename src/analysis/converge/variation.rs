@@ -1,4 +1,4 @@
-//! What is compared: settings of a scene that are varied, and all their combinations.
+//! The variants of a comparison: varied settings of a scene, in all combinations.
 
 use std::str::FromStr;
 
@@ -61,7 +61,7 @@ pub enum Comparison {
     Caustics,
 }
 
-/// A way to render a scene and what it is called in tables and plots.
+/// A variant of a scene, and its label in tables and plots.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Variant {
     pub label: String,
@@ -131,7 +131,7 @@ impl FromStr for Variation {
             .map(|value| Setting::parse(aspect, value.trim()))
             .collect::<std::result::Result<_, _>>()?;
         if let Some(index) = (1..settings.len()).find(|&index| settings[..index].contains(&settings[index])) {
-            return Err(format!("{} is there twice", settings[index].value()));
+            return Err(format!("{} is given twice", settings[index].value()));
         }
         Ok(Self { aspect, settings })
     }
@@ -196,7 +196,7 @@ impl Variant {
     }
 }
 
-/// An error if a setting is varied that the scene does not heed.
+/// An error if a setting is varied that the scene ignores.
 fn check_sense(base: &Configuration, variations: &[Variation], variants: &[Variant]) -> Result<()> {
     let any =
         |kinds: &[IntegratorKind]| variants.iter().any(|variant| kinds.contains(&variant.configuration.integrator));
@@ -204,17 +204,15 @@ fn check_sense(base: &Configuration, variations: &[Variation], variants: &[Varia
         let aspect = name_of(variation.aspect);
         match variation.aspect {
             Aspect::Strategy | Aspect::Caustics if !any(&[IntegratorKind::Path]) => {
-                return Err(Error::new(format!(
-                    "{aspect} makes no difference: nothing is rendered by the path tracer"
-                ))
-                .help("add --integrator path"));
+                return Err(Error::new(format!("{aspect} makes no difference: no scene uses the path tracer"))
+                    .help("add --integrator path"));
             }
             Aspect::Depth if !any(&[IntegratorKind::Path, IntegratorKind::Whitted]) => {
-                return Err(Error::new("depth makes no difference: nothing follows reflections")
+                return Err(Error::new("depth makes no difference: no integrator follows reflections")
                     .help("add --integrator path or --integrator whitted"));
             }
             Aspect::EnvironmentFilter if base.environment_filter.is_none() => {
-                return Err(Error::new("environment-filter makes no difference: the environment is no cube map"));
+                return Err(Error::new("environment-filter makes no difference: the environment is not a cube map"));
             }
             _ => {}
         }

@@ -1,4 +1,4 @@
-//! Who looks on while it is measured.
+//! The observer of a measurement: progress and cancellation.
 
 use std::time::Duration;
 

@@ -1,10 +1,10 @@
-//! The other ways to explain the same shots: another camera, other names of the files, a lookup that has a name.
+//! Alternative explanations of the same shots: another camera, other names of the files, a preset.
 
 use super::explanation::{Evidence, FaceGrade, wrong};
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
 use crate::envmap::{Face, Orientation, Preset};
 
-/// Another way to explain the same pictures.
+/// Another explanation of the same pictures.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Alternative {
     /// The camera is right, and the lookup does this.

@@ -1,4 +1,4 @@
-//! The usual slips in a `get_texel`, by what they do to the six shots.
+//! The usual mistakes in a `get_texel`, recognised by their effect on the six shots.
 
 use super::explanation::FaceGrade;
 use super::placement::{Placement, ShotFrame, on_screen};

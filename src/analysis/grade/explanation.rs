@@ -1,5 +1,5 @@
 //! What the shots say about camera and lookup. The same pictures may come from either: a camera is blamed if it leaves at
-//! most one face wrong, and at least three fewer than a right camera does. [`super::alternative`] names the others.
+//! most one face wrong, and at least three fewer than a right camera. [`super::alternative`] names the others.
 
 use super::misfit::Misfit;
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};

@@ -1,11 +1,11 @@
-//! How wide the camera saw: the scale at which the shots show the images.
+//! The field of view of the camera: the scale at which the shots show the images.
 //!
 //! ```text
 //!     k = tan(angle / 2)      k < 1: the whole shot shows the middle k of an image
 //!                             k > 1: the middle 1/k of the shot shows a whole image, the neighbours stand around it
 //! ```
 //!
-//! So nothing needs to be known of the neighbours, which a wrong lookup may have wrong, too.
+//! So the estimate does not depend on the neighbours, which may be wrong, too.
 
 use super::matching::{ImageLevels, Screen, best, candidates, mean_square, relief, variance};
 use super::placement::{Placement, source_cells};
@@ -29,8 +29,8 @@ const TOLERANCE: f64 = 0.02;
 /// What another scale must explain at least, as a share of the variance: what it explains of a plain colour or of a
 /// gradient, which fits at any scale, is rounding.
 const TELLING: f64 = 0.02;
-/// Variance below which a shot tells little.
-const DULL: f64 = 0.03 * 0.03;
+/// Variance below which a shot is nearly uniform and tells little.
+const NEARLY_UNIFORM: f64 = 0.03 * 0.03;
 
 /// What is matched: shots and images as codes, and how each shot's face stands on the screen.
 pub(super) struct Views<'a> {
@@ -76,7 +76,7 @@ impl Views<'_> {
         let share = |index: usize| {
             let shot = self.shot(index, scale, COARSE);
             let candidates = candidates(&images, self.expected[index], &shot, self.screens[index], COARSE);
-            (best(&candidates).error / (variance(&shot) + DULL)).min(1.0)
+            (best(&candidates).error / (variance(&shot) + NEARLY_UNIFORM)).min(1.0)
         };
         (0..6).map(share).sum::<f64>() / 6.0
     }
@@ -105,7 +105,7 @@ impl Views<'_> {
             let shot = self.shot(index, scale, COARSE);
             let candidates = candidates(&images, self.expected[index], &shot, self.screens[index], COARSE);
             let best = best(&candidates);
-            (best.error < 0.4 * variance(&shot) && relief(&shot) > DULL).then_some((index, best.placement))
+            (best.error < 0.4 * variance(&shot) && relief(&shot) > NEARLY_UNIFORM).then_some((index, best.placement))
         };
         (0..6).filter_map(placement).collect()
     }
@@ -118,7 +118,7 @@ impl Views<'_> {
             let image = &self.images[placement.image.index()];
             let source = source_cells(placement.orientation.after(screen.orientation), screen.v_origin, FINE);
             let fitted = Levels::new(&image.reduced(of_image, FINE).values).fitted(&source, &shot);
-            mean_square(&fitted, &shot) / (variance(&shot) + DULL)
+            mean_square(&fitted, &shot) / (variance(&shot) + NEARLY_UNIFORM)
         };
         placements.iter().map(share).sum::<f64>() / placements.len() as f64
     }

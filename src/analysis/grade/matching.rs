@@ -1,15 +1,16 @@
-//! Which images, in which orientation, a shot may show: each of 6 x 8 brought nearest to it by a curve, and the best against the rest.
+//! Which images, in which orientation, a shot may show: each of 6 x 8 candidates fitted by a tone curve, and the best
+//! compared with the rest.
 //!
-//! For the best prediction p of the shot s and another one q, with d = p - q and the noise n of the best fit around each
-//! cell, the likelihood ratio is `D = sum((s - q)^2 - (s - p)^2)`. If p is right, D is `sum(d^2)` with the deviation
-//! `2 sqrt(sum(n^2 d^2))`; if q is, `-sum(d^2)`. The pixels decide if D is many deviations above 0 and most of what was
-//! predicted.
+//! For the best prediction p of the shot s and another one q, with d = p - q and the noise n of the best fit around
+//! each cell, the likelihood ratio is `D = sum((s - q)^2 - (s - p)^2)`. If p is right, D is `sum(d^2)` with the
+//! deviation `2 sqrt(sum(n^2 d^2))`; if q is, `-sum(d^2)`. The pixels decide if D is many deviations above 0 and close
+//! to its predicted value.
 
 use super::placement::{Placement, source_cells};
 use super::tone::Levels;
 use crate::envmap::{Face, Orientation, VOrigin};
 
-/// Deviations that decide. Misfits of neighbouring cells are alike, so many are asked for.
+/// Deviations that decide: a large number, because misfits of neighbouring cells are correlated.
 const DECISIVE_DEVIATIONS: f64 = 12.0;
 /// Where the shot lies between the other prediction (0) and the best one (1), at least.
 const NEARNESS: f64 = 0.7;
@@ -19,7 +20,7 @@ const SURE_NOISE: f64 = 0.006;
 /// An image in cells.
 pub(super) struct ImageLevels(pub [Levels; 6]);
 
-/// One way to explain a shot.
+/// One explanation of a shot.
 pub(super) struct Candidate {
     pub placement: Placement,
     /// What the shot would be, three values a cell.
@@ -35,7 +36,7 @@ pub(super) struct Screen {
     pub v_origin: VOrigin,
 }
 
-/// All ways to explain a shot of `side` x `side` cells, the expected image first, orientations in the order of
+/// All explanations of a shot of `side` x `side` cells, the expected image first, orientations in the order of
 /// [`Orientation::ALL`].
 pub(super) fn candidates(
     images: &ImageLevels,
@@ -83,7 +84,7 @@ pub(super) fn best(candidates: &[Candidate]) -> &Candidate {
     candidates.iter().min_by(|a, b| a.error.total_cmp(&b.error)).expect("there are candidates")
 }
 
-/// The best way and those that the pixels cannot tell from it, in the order of the candidates.
+/// The best explanation and those that the pixels cannot distinguish from it, in the order of the candidates.
 pub(super) fn possible(candidates: &[Candidate], shot: &[f32], side: usize) -> Vec<Placement> {
     let best = best(candidates);
     let noise = noise_around(&best.fitted, shot, side);

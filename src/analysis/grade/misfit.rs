@@ -1,4 +1,4 @@
-//! What a shot looks like that shows no image of the map, in any orientation.
+//! The appearance of a shot that shows no image of the map in any orientation.
 
 use super::thumbnail::{Codes, Middle};
 

@@ -1,10 +1,10 @@
-//! Grading: what a student's own code does, from six pictures it took along the axes, pixels alone.
+//! Grading: finds the lookup in a student's code from the pixels of six pictures along the axes.
 //!
 //! 1. [`thumbnail`] brings shots and images to one small size, [`tone`] takes out gamma and exposure.
-//! 2. [`field_of_view`] finds how wide the camera saw, or that the code forgets to divide.
-//! 3. [`matching`] tries six images in eight orientations for each shot, and says which the pixels exclude.
-//! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`alternative`] what else explains the same shots,
-//!    [`misfit`] what a shot looks like that shows no image.
+//! 2. [`field_of_view`] finds the field of view of the camera, or a missing division.
+//! 3. [`matching`] tries six images in eight orientations for each shot, and lists those that the pixels exclude.
+//! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`alternative`] finds other explanations of the same
+//!    shots, [`misfit`] describes a shot without an image.
 
 mod alternative;
 mod cause;

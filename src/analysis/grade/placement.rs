@@ -94,7 +94,7 @@ impl CameraFault {
     }
 }
 
-/// The 48 ways to put signed axes in the place of x, y and z.
+/// The 48 signed permutations of x, y and z.
 fn signed_permutations() -> Vec<[SignedAxis; 3]> {
     const ORDERS: [[u8; 3]; 6] = [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]];
     let signed = |order: [u8; 3], signs: usize| {

@@ -1,8 +1,8 @@
-//! Differing gamma and exposure, taken out: the curve that never falls and brings one picture nearest to another.
+//! Compensation of gamma and exposure: the monotonic curve that brings one picture nearest to another.
 //!
 //! Isotonic regression over bins of equal count (Ayer et al., An Empirical Distribution Function for Sampling with
 //! Incomplete Information, 1955: pool adjacent violators), interpolated linearly between the bins' means. All channels
-//! share one curve. What is clipped lies on a flat end of it.
+//! share one curve. Clipped values lie on a flat end of it.
 
 /// Bins of a curve.
 const BINS: usize = 24;

@@ -1,5 +1,5 @@
-//! The limits: within them the bounds of all cases are promised. `skycube stress` measures that they are kept, and
-//! `skycube render` warns of scenes that lie outside.
+//! The limits within which the bounds of all cases are promised. `skycube stress` measures that the bounds hold, and
+//! `skycube render` warns of scenes outside the limits.
 
 /// From the least to the most, both included.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]

@@ -1,4 +1,4 @@
-//! The limits of what the program promises: `stress` measures that they are kept, `render` warns of scenes outside.
+//! The limits of the promised accuracy: `stress` measures it, `render` warns of scenes outside.
 
 mod limit;
 mod scene;

@@ -1,4 +1,4 @@
-//! What of a scene lies outside the limits.
+//! The parts of a scene outside the limits.
 
 use super::limit::{COORDINATE, INDEX, LIGHT_AREA, Limit, RADIUS, REMOTENESS, SCALE, VERTEX_REMOTENESS};
 use crate::materials::Material;
@@ -39,7 +39,7 @@ fn shape_figures(shape: &Primitive) -> Vec<(Limit, f64)> {
     match &shape.geometry {
         Geometry::Flat(Outline::Plane) => return figures,
         Geometry::Sphere => match shape.as_sphere() {
-            // A large ball that touches the origin is a ground: what counts is how far its surface is, not its centre.
+            // A large sphere that touches the origin is a ground: the distance of its surface counts, not that of its centre.
             Some((_, radius)) => figures = vec![(RADIUS, radius), (COORDINATE, (place - radius).max(0.0))],
             None => figures.extend(uneven(scales)),
         },
@@ -74,7 +74,8 @@ fn outside(what: &str, limit: &Limit, value: f64) -> Option<String> {
     let (end, bound) =
         if value < limit.range.least { ("below", limit.range.least) } else { ("above", limit.range.most) };
     Some(format!(
-        "{what}: {} is {value:.3e}, {end} {bound:e}, the end of what `skycube stress --case {}` measures as accurate",
+        "{what}: {} is {value:.3e}, {end} {bound:e}, the end of the range that `skycube stress --case {}` measures as \
+         accurate",
         limit.figure, limit.case
     ))
 }

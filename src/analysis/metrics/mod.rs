@@ -1,4 +1,4 @@
-//! How far a picture is from a reference, in numbers.
+//! Error metrics between a picture and a reference.
 //!
 //! Pictures are rasters of linear radiance of the same size; other sizes are a programming error and panic. Sums are in
 //! `f64` and in the order of the pixels. A pixel that is not a finite number makes the error of the whole not a number.

@@ -1,4 +1,4 @@
-//! A case: one thing swept over decades, and how far it stays accurate.
+//! A case: one magnitude swept over decades, and the range in which the kernel stays accurate.
 
 use clap::ValueEnum;
 use serde::Serialize;

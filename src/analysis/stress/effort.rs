@@ -1,4 +1,4 @@
-//! How much is tried, and trying much at once with the same outcome on any number of threads.
+//! The effort of a case, and parallel trials with the same result on any number of threads.
 
 use crate::parallel;
 use crate::random::{Random, power_of_ten};
@@ -23,7 +23,7 @@ impl Effort {
     }
 }
 
-/// The worst of `count` inputs: its error and what it was. An error that is no number counts as infinite.
+/// The worst of `count` inputs: its error and its description. An error that is not a number counts as infinite.
 pub fn worst_of<T>(count: usize, seed: u64, measure: impl Fn(&mut Random) -> (f64, T) + Sync) -> (f64, T) {
     let chunks = of_chunks(count, seed, &|size, random| {
         let mut worst = (f64::NEG_INFINITY, random.clone());
@@ -62,7 +62,7 @@ pub fn faults_of<T>(count: usize, seed: u64, try_one: impl Fn(&mut Random) -> Op
     (faults * 1e6 / count as f64, first.and_then(|(_, mut random)| try_one(&mut random)))
 }
 
-/// A figure of so many inputs in a row, and the generator of random numbers as it was before the input that matters.
+/// A figure of several inputs in a row, and the state of the random numbers before the decisive input.
 type OfChunk<'a> = dyn Fn(usize, &mut Random) -> (f64, Random) + Sync + 'a;
 
 /// The figures of all inputs, chunk by chunk: the same for every chunk whichever thread does it.

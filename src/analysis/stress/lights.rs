@@ -1,4 +1,4 @@
-//! Light sources: a sun of one texel, next to nothing at all, very small shapes.
+//! Light sources: a sun of one texel, nearly black environments, very small shapes.
 
 use std::f64::consts::{PI, TAU};
 
@@ -28,7 +28,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         group: Group::Lobes,
         name: "sun-texel",
         swept: "one bad texel: NaN, infinity",
-        error: "directions or densities that are no numbers, of all",
+        error: "share of directions or densities that are not numbers",
         unit: "",
         bound: 0.0,
         promised: Range::new(1.0, 2.0),
@@ -38,7 +38,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         group: Group::Lobes,
         name: "black",
         swept: "radiance of a uniform sky",
-        error: "relative error of the density, constant and cube map; infinite if a black one draws",
+        error: "relative error of the density, constant and cube map; infinite if a black sky is sampled",
         unit: "",
         bound: 1e-6,
         promised: Range::new(1e-40, 1e30),
@@ -48,7 +48,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         group: Group::Lobes,
         name: "small-light",
         swept: "area of a light at distance 1",
-        error: "|mean of 1 / density / solid angle - 1|: ball, rectangle, disc",
+        error: "|mean of 1 / density / solid angle - 1|: sphere, rectangle, disc",
         unit: "",
         bound: 1e-3,
         promised: Range::new(LIGHT_AREA.range.least, 1.0),
@@ -145,17 +145,17 @@ fn black(_: Effort) -> Vec<Measurement> {
     [black].into_iter().chain(decades(-44, 38).step_by(2).map(of_radiance)).collect()
 }
 
-/// The solid angle of a ball, rectangle or disc of an area that is seen from a distance of 1.
+/// The solid angle of a sphere, rectangle or disc of an area that is seen from a distance of 1.
 fn small_light(_: Effort) -> Vec<Measurement> {
     let of_area = |area: f64| {
         let radius = (area / PI).sqrt();
         let half = area.sqrt() / 2.0;
         let rectangle = 4.0 * solid_angle_to(half, half);
-        // 2 pi (1 - cos) without cancellation; of a disc its rim is what is seen, of a ball the tangent cone.
+        // 2 pi (1 - cos) without cancellation; of a disc its rim is visible, of a sphere the tangent cone.
         let cone = |sine_square: f64| TAU * sine_square / (1.0 + (1.0 - sine_square).sqrt());
         let square = radius * radius;
         let forms = [
-            ("ball", Geometry::Sphere, radius, cone(square)),
+            ("sphere", Geometry::Sphere, radius, cone(square)),
             ("rectangle", Geometry::Flat(Outline::Rectangle), half, rectangle),
             ("disc", Geometry::Flat(Outline::Disc), radius, cone(square / (1.0 + square))),
         ];

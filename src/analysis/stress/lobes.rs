@@ -37,7 +37,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         group: Group::Lobes,
         name: "grazing-lobes",
         swept: "cosine of the view",
-        error: "samples and values that are negative or no numbers, per million",
+        error: "samples and values that are negative or not numbers, per million",
         unit: "ppm",
         bound: 0.0,
         promised: Range::new(1e-15, 1.0),

@@ -13,7 +13,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
         group: Group::Lookup,
         name: "directions",
         swept: "largest component",
-        error: "directions whose u or v is outside [0, 1] or whose face is not theirs, per million",
+        error: "directions with u or v outside [0, 1] or a wrong face, per million",
         unit: "ppm",
         bound: 0.0,
         promised: Range::new(1e-45, 1e38),

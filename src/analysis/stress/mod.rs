@@ -1,8 +1,8 @@
-//! The program's own kernels on extreme inputs: how far each stays accurate, found by measuring. Data only.
+//! The numerical kernels on extreme inputs: measures the range in which each stays accurate. Data only.
 //!
-//! Each case sweeps one magnitude over decades, takes the worst error of many inputs at each step against a reference of
-//! higher precision or a closed form, and says in which range the error stays within its bound. The inputs are the same
-//! everywhere, and so are the figures.
+//! Each case sweeps one magnitude over decades, takes the worst error of many inputs at each step against a reference
+//! of higher precision or a closed form, and says in which range the error stays within its bound. The inputs and the
+//! figures are the same on every machine.
 
 mod case;
 mod effort;
@@ -24,7 +24,7 @@ mod wide_vector;
 
 pub use case::{Case, Group, Measurement, Subject, Verdict};
 pub use effort::Effort;
-pub use placed::{ball, hit_error, placed};
+pub use placed::{hit_error, placed, sphere_at};
 pub use reference::ulp_f32;
 
 pub use crate::random::Random;

@@ -171,7 +171,7 @@ fn fresnel_faint(effort: Effort) -> Vec<Measurement> {
     decades(-14, 0).map(of_difference).collect()
 }
 
-/// Rays that pass, drawn by the sine of the refracted one, in a frame that is no axis.
+/// Rays that pass, drawn by the sine of the refracted one, in a frame that is not aligned with the axes.
 fn snell(effort: Effort) -> Vec<Measurement> {
     let of_index = |index: f64| {
         let (error, sine) = worst_of(effort.share(5e-4), index.to_bits(), |random| {

@@ -1,4 +1,4 @@
-//! Shapes placed in the world, and how far off their hits are.
+//! Shapes placed in the world, and the errors of their hits.
 
 use super::reference::{Chord, WideRay, distance, point_at};
 use crate::math::{DVec3, Ray, Transform};
@@ -11,7 +11,7 @@ pub fn placed(geometry: Geometry, translate: DVec3, turn: DVec3, scale: DVec3) -
 }
 
 /// A round sphere.
-pub fn ball(centre: DVec3, radius: f64) -> Primitive {
+pub fn sphere_at(centre: DVec3, radius: f64) -> Primitive {
     placed(Geometry::Sphere, centre, DVec3::ZERO, DVec3::splat(radius))
 }
 

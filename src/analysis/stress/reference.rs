@@ -1,4 +1,4 @@
-//! Where a ray truly meets a shape, in double-double arithmetic.
+//! The exact hit of a ray and a shape, in double-double arithmetic.
 
 use super::wide::Wide;
 use super::wide_vector::WideVector;

@@ -1,4 +1,4 @@
-//! Rays that start on a surface: does it hit itself, or is it missed?
+//! Self-intersection: rays that start on a surface must neither hit it again nor miss it.
 //!
 //! ```text
 //!      primary      reflected, shadow: leave to the front, must not hit the convex shape again
@@ -14,7 +14,7 @@ use std::sync::Arc;
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, faults_of};
 use super::octasphere::octasphere;
-use super::placed::{ball, placed};
+use super::placed::{placed, sphere_at};
 use crate::limits::REMOTENESS;
 use crate::materials::fresnel::{reflect, refract};
 use crate::math::{DVec3, Departure, Ray, Side};
@@ -77,7 +77,7 @@ fn shape(kind: Kind, mesh: &Arc<Mesh>, random: &mut Random, size: f64, place: f6
     let (translate, turn) = (random.direction() * place, random.in_ball() * 180.0);
     let uneven = DVec3::new(1.0, 0.5, 0.25) * size;
     match kind {
-        Kind::Sphere => ball(translate, size),
+        Kind::Sphere => sphere_at(translate, size),
         Kind::Ellipsoid => placed(Geometry::Sphere, translate, turn, uneven),
         Kind::Box => placed(Geometry::Cuboid, translate, turn, uneven),
         Kind::Flat => placed(Geometry::Flat(Outline::Rectangle), translate, turn, uneven),

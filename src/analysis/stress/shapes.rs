@@ -2,7 +2,7 @@
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, worst_of};
-use super::placed::{ball, hit_error, placed};
+use super::placed::{hit_error, placed, sphere_at};
 use super::reference::{WideRay, distance, point_at, ulp_f32};
 use crate::limits::{COORDINATE, RADIUS, Range, SCALE};
 use crate::math::{DVec3, Ray, Side, SurfaceId};
@@ -116,7 +116,7 @@ fn aimed_at_sphere(random: &mut Random, ratio: f64) -> (Primitive, Ray, f64) {
     let outwards = random.direction();
     let origin = centre + outwards * (radius + span);
     let target = centre + random.in_ball() * radius;
-    (ball(centre, radius), Ray::new(origin, (target - origin).normalize()), radius)
+    (sphere_at(centre, radius), Ray::new(origin, (target - origin).normalize()), radius)
 }
 
 fn sweep_spheres(effort: Effort, unit: impl Fn(f64, f64) -> f64 + Sync) -> Vec<Measurement> {
@@ -150,7 +150,7 @@ fn sphere_remote(effort: Effort) -> Vec<Measurement> {
 fn ground_sphere(effort: Effort) -> Vec<Measurement> {
     let of_radius = |radius: f64| {
         let (error, slope) = worst_of(effort.share(1e-3), radius.to_bits(), |random| {
-            let sphere = ball(DVec3::new(0.0, 0.0, -radius), radius);
+            let sphere = sphere_at(DVec3::new(0.0, 0.0, -radius), radius);
             let (sine, cosine) = crate::math::functions::sin_cos_turns(random.unit());
             // Down to the horizon, which lies sqrt(2 / radius) below the horizontal; a small sphere is aimed at.
             let slope = if radius > 10.0 {
@@ -174,7 +174,7 @@ fn tangent(effort: Effort) -> Vec<Measurement> {
             let aside = direction.any_orthonormal_vector();
             let centre = random.in_ball();
             let ray = Ray::new(centre - direction * (1.0 + distance) + aside * (1.0 - depth), direction);
-            (hit_error(&ball(centre, 1.0), &ray) / ulp_f32(distance + 1.0), distance)
+            (hit_error(&sphere_at(centre, 1.0), &ray) / ulp_f32(distance + 1.0), distance)
         });
         Measurement::new(depth, error, format!("radius 1 at {distance:.0e}"))
     };
@@ -187,7 +187,7 @@ fn chord(effort: Effort) -> Vec<Measurement> {
         let (error, radius) = worst_of(effort.share(1e-3), ratio.to_bits(), |random| {
             let radius = random.decade(-6, 6);
             let centre = random.direction() * (ratio * radius);
-            let sphere = ball(centre, radius);
+            let sphere = sphere_at(centre, radius);
             let origin = centre + random.direction() * radius;
             let direction = (centre + random.in_ball() * radius - origin).normalize();
             let departure = Some(crate::math::Departure { surface: SurfaceId { shape: 0, part: 0 }, side: Side::Back });
@@ -210,7 +210,7 @@ fn chord(effort: Effort) -> Vec<Measurement> {
 fn closed_shapes(translate: DVec3, turn: DVec3, size: f64) -> [(&'static str, Primitive); 3] {
     let uneven = DVec3::new(1.0, 0.5, 0.25) * size;
     [
-        ("sphere", ball(translate, size)),
+        ("sphere", sphere_at(translate, size)),
         ("ellipsoid", placed(Geometry::Sphere, translate, turn, uneven)),
         ("box", placed(Geometry::Cuboid, translate, turn, uneven)),
     ]

@@ -2,7 +2,7 @@
 
 use super::case::{Group, Measurement, Subject};
 use super::effort::{Effort, decades, faults_of, worst_of};
-use super::placed::{ball, placed};
+use super::placed::{placed, sphere_at};
 use super::reference::ulp_f32;
 use super::wide::Wide;
 use crate::limits::{NESTING, Range};
@@ -13,14 +13,14 @@ use crate::random::{Random, power_of_ten};
 use crate::scene::Aggregate;
 use crate::shapes::{Geometry, Outline, Primitive};
 
-const WRONG: &str = "rays that go through a wrong glass, per million";
+const WRONG: &str = "rays through a wrong glass, per million";
 
 pub(super) const SUBJECTS: &[Subject] = &[
     Subject {
         group: Group::Optics,
         name: "shell",
         swept: "thickness / radius of a shell",
-        error: "refracted rays that meet its surfaces in a wrong order, per million",
+        error: "refracted rays that hit its surfaces in a wrong order, per million",
         unit: "ppm",
         bound: 0.0,
         promised: Range::new(1e-6, 0.1),
@@ -49,7 +49,7 @@ pub(super) const SUBJECTS: &[Subject] = &[
     Subject {
         group: Group::Optics,
         name: "nested",
-        swept: "glasses inside of one another",
+        swept: "glasses inside one another",
         error: WRONG,
         unit: "ppm",
         bound: 0.0,
@@ -102,7 +102,7 @@ fn shell(effort: Effort) -> Vec<Measurement> {
         let (faults, first) = faults_of(effort.share(5e-4), thickness.to_bits(), |random| {
             let (radius, centre) = (random.decade(-3, 3), random.in_ball());
             let centre = centre * radius;
-            let shapes = Aggregate::new(vec![ball(centre, radius), ball(centre, radius * (1.0 - thickness))]);
+            let shapes = Aggregate::new(vec![sphere_at(centre, radius), sphere_at(centre, radius * (1.0 - thickness))]);
             let origin = centre + random.direction() * (5.0 * radius);
             let target = centre + random.in_ball() * (0.6 * radius * (1.0 - thickness));
             let ray = Ray::new(origin, (target - origin).normalize());
@@ -153,18 +153,19 @@ fn ppm_of(magnitude: f64, (faults, first): (f64, Option<f64>), what: &str) -> Me
     Measurement::new(magnitude, faults, input)
 }
 
-/// Two balls side by side, the ray through where they nearly touch.
+/// Two spheres side by side, and the ray through their near contact.
 fn touching(effort: Effort) -> Vec<Measurement> {
     let of_gap = |gap: f64| {
         let faults = faults_of(effort.share(5e-4), gap.to_bits(), |random| {
             let radius = random.decade(-3, 3);
             let axis = random.direction();
             let centres = [-axis * radius, axis * (radius * (1.0 + gap))];
-            let shapes = Aggregate::new(centres.map(|centre| ball(centre, radius)).to_vec());
+            let shapes = Aggregate::new(centres.map(|centre| sphere_at(centre, radius)).to_vec());
             let aside = axis.any_orthonormal_vector() * (random.decade(-16, -1) * radius);
             let ray = Ray::new(aside - axis * (5.0 * radius), axis);
-            let glass_at =
-                |point: DVec3| (0..2).find(|&ball| (point - centres[ball]).length() < radius).map(|ball| ball as u32);
+            let glass_at = |point: DVec3| {
+                (0..2).find(|&sphere| (point - centres[sphere]).length() < radius).map(|sphere| sphere as u32)
+            };
             (!takes_right_glasses(&shapes, ray, 1e-9 * radius, glass_at)).then_some(radius)
         });
         ppm_of(gap, faults, "radius")
@@ -204,7 +205,7 @@ fn nested(effort: Effort) -> Vec<Measurement> {
     let of_depth = |depth: u32| {
         let faults = faults_of(effort.share(2e-4), u64::from(depth), |random| {
             let radius = |shell: u32| 1.0 - f64::from(shell) * 0.05;
-            let shapes = Aggregate::new((0..depth).map(|shell| ball(DVec3::ZERO, radius(shell))).collect());
+            let shapes = Aggregate::new((0..depth).map(|shell| sphere_at(DVec3::ZERO, radius(shell))).collect());
             let origin = random.direction() * 5.0;
             let target = random.in_ball() * 0.3;
             let glass_at = |point: DVec3| (0..depth).rev().find(|&shell| point.length() < radius(shell));

@@ -1,5 +1,5 @@
-//! Double-double arithmetic: a number as the unevaluated sum of two `f64`, about 32 digits. What the kernels are measured
-//! against.
+//! Double-double arithmetic: a number as the unevaluated sum of two `f64`, about 32 digits. The reference for the
+//! kernels.
 //!
 //! ```text
 //!   high  |======== 53 bits ========|

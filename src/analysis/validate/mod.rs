@@ -1,16 +1,18 @@
 //! The validator: whether six pictures fit together under the lookup that the tracer uses, and if not, the smallest
 //! change that makes them fit.
 //!
-//! 1. [`borders`] reads four rows of texels along each side of each image, two deeper ones and, of JPEG files, the two at the
-//!    first block boundary. Seams and orientations are judged by nothing else. Whole pictures are read to see whether two are the
-//!    same ([`outlier`]), whether one is symmetric ([`solve`]), and, on a grid, where the sky is ([`sky`]).
-//! 2. [`borders::pair_cost`] says what it costs to let one border continue another, for all pairs, once.
-//!    [`borders::agreement`] says the same of the patterns along them, by rank: robust where compression hides the rest.
-//! 3. [`search::branch_and_bound`] finds the cheapest way to lay the images on the faces: exactly, by branch and bound.
-//! 4. [`search::evidence`] says whether one way is decisively better than another, [`solve`] picks the simplest of those that
-//!    are equally good and leaves alone what the pixels do not decide, [`outlier`] finds faces that fit nowhere.
+//! 1. [`borders`] reads four rows of texels along each side of each image, two deeper ones and, of JPEG files, the two
+//!    at the first block boundary. Only these texels decide seams and orientations. Whole pictures are read to find
+//!    equal pictures ([`outlier`]), symmetric ones ([`solve`]) and, on a grid, the sky ([`sky`]).
+//! 2. [`borders::pair_cost`] gives the cost of one border as the continuation of another, for all pairs.
+//!    [`borders::agreement`] compares the patterns along them by rank, which is robust against compression.
+//! 3. [`search::branch_and_bound`] finds the cheapest arrangement of the images on the faces exactly, by branch and
+//!    bound.
+//! 4. [`search::evidence`] says whether one arrangement is decisively better than another, [`solve`] picks the simplest
+//!    of the equally good ones and changes nothing that the pixels do not decide, [`outlier`] finds faces that fit
+//!    nowhere.
 //!
-//! 5. [`story`] tells what happened to the files; [`thresholds`] has every number that decides something.
+//! 5. [`story`] tells what happened to the files; [`thresholds`] has every threshold.
 //!
 //! Data only: this module neither prints nor draws.
 

@@ -112,7 +112,7 @@ impl fmt::Display for Note {
                 write!(formatter, "{name} is one flat colour along its borders: it looks the same in any orientation")
             }
             Self::Undecided { faces } => {
-                write!(formatter, "undecided: the pixels do not tell how {} must be placed", names(faces))
+                write!(formatter, "undecided: the pixels do not determine the orientation of {}", names(faces))
             }
             Self::Rough { seams, step, after_the_fix } => {
                 formatter.write_str(&rough_seams(*seams, *step, *after_the_fix))
@@ -122,22 +122,23 @@ impl fmt::Display for Note {
                 let stay = if *seams == 1 { "stays" } else { "stay" };
                 write!(
                     formatter,
-                    "{seams} of 12 seams {stay} open{when} (mean step {step:.1} of 255): the pixels do not tell how to close them"
+                    "{seams} of 12 seams {stay} open{when} (mean step {step:.1} of 255): the pixels do not show how \
+                     to close them"
                 )
             }
             Self::Unnamed { numbered } => {
                 let names = if *numbered { "numbers" } else { "names" };
                 write!(
                     formatter,
-                    "the {names} of the files do not tell the faces: taken as +X -X +Y -Y +Z -Z in this order, and put in order \
-                     by their pixels"
+                    "the {names} of the files do not identify the faces: assigned to +X -X +Y -Y +Z -Z in this order, \
+                     then sorted by their pixels"
                 )
             }
             Self::Mirrored { faces, after, changes } => {
                 formatter.write_str(&mirrored(faces, after, *changes && faces != after))
             }
             Self::AssumedUp { up, lookup } => {
-                write!(formatter, "assumed a world with {up} up, for the lookup {lookup}: --world-up says otherwise")
+                write!(formatter, "assumed a world with {up} up, for the lookup {lookup}; --world-up changes this")
             }
             Self::Sky { sky, up, there, after_the_fix } => {
                 formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))
@@ -161,33 +162,36 @@ fn rough_seams(seams: usize, step: f64, after_the_fix: bool) -> String {
 }
 
 /// Why the seams of a right map may be rough.
-const ROUGH_REASONS: &str = "faces were exposed, framed or compressed one by one, the ground is coarse, or an edge of \
-                             the scene lies along the seam";
+const ROUGH_REASONS: &str = "the faces were exposed, framed or compressed separately, the ground is coarse, or an \
+                             edge of the scene lies along the seam";
 
 fn why_outlier(reason: Reason) -> String {
     match reason {
         Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
         Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),
-        Reason::AnotherScene => "its borders fit nothing in any orientation: a picture of something else".to_owned(),
+        Reason::AnotherScene => {
+            "its borders fit no neighbour in any orientation: the picture shows another scene".to_owned()
+        }
     }
 }
 
 fn exposed(image: Face, codes: f64) -> String {
     let how = if codes > 0.0 { "brighter" } else { "darker" };
     let (name, codes) = (image.name(), codes.abs());
-    format!("{name} is {how} than all its neighbours, by {codes:.1} of 255 on average: exposed otherwise")
+    format!("{name} is {how} than all its neighbours, by {codes:.1} of 255 on average: another exposure")
 }
 
 /// Which faces are mirrored now and, if that changes, after the fix.
 fn mirrored(now: &[Face], after: &[Face], changes: bool) -> String {
     let now = names(now);
     if !changes {
-        return format!("from the table alone: a right-handed world sees {now} mirrored");
+        return format!("a right-handed world sees {now} mirrored; this follows from the table alone");
     }
     let after = names(after);
     format!(
-        "from the table alone: a right-handed world sees {now} mirrored now, and {after} after the fix if the pictures are as \
-         photographed (if they had been flipped, it stays as it is: seams cannot tell)"
+        "a right-handed world sees {now} mirrored now, and {after} after the fix if the pictures are unflipped \
+         photographs (if they were flipped, the handedness stays: seams cannot tell); this follows from the table \
+         alone"
     )
 }
 
@@ -197,7 +201,5 @@ fn sky_place(sky: Face, up: SignedAxis, there: bool, after_the_fix: bool) -> Str
     if there {
         return format!("the sky seems to be {sky}: at the declared up axis {up}{when}");
     }
-    format!(
-        "the sky seems to be {sky}, which is not at the declared up axis {up}{when} (a hint from brightness and detail)"
-    )
+    format!("the sky seems to be {sky}, not at the declared up axis {up}{when} (a hint from brightness and detail)")
 }

@@ -1,4 +1,4 @@
-//! Collecting what else is worth saying about a map.
+//! Notes about a map beside the verdict.
 
 use super::borders::border::Borders;
 use super::borders::edge::{Border, Edge, Side};

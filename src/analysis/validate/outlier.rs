@@ -1,4 +1,4 @@
-//! Faces whose image belongs to no place in the map: another scene, one flat colour, a copy of another face.
+//! Outlier faces, whose image does not belong to the map: another scene, one flat colour, a copy of another face.
 
 use super::borders::border::Borders;
 use super::borders::edge::Edge;
@@ -75,7 +75,7 @@ pub fn find(
     let image = laid.images[worst];
     let copy = copy_of(map, images, image)?;
     let (reason, threshold, fit) = match copy {
-        // A copy laid as a mirror image of its original closes the seam between the two, which says nothing.
+        // A mirrored copy of its original closes the seam between the two, which is no evidence.
         Some(other) => {
             let original = laid.face_of(other);
             (Reason::CopyOf(other), OUTLIER_COPY, fit_without(problem, arrangement, face, original))

@@ -1,5 +1,5 @@
-//! Where the sky seems to be: a hint from brightness and detail, never a verdict. It chooses between stories that are
-//! equally short, and never makes a longer one.
+//! Where the sky seems to be: a hint from brightness and detail, never a verdict. It only chooses between equally short
+//! stories.
 
 use super::borders::border::{Borders, display_of_map};
 use super::borders::edge::{Border, Side};

@@ -1,4 +1,4 @@
-//! From the cheapest arrangement to the fix: of all stories that the pixels do not contradict the shortest.
+//! From the cheapest arrangement to the fix: the shortest story that the pixels do not contradict.
 
 use super::borders::border::Borders;
 use super::borders::edge::{Edge, EdgeBorders};
@@ -120,7 +120,7 @@ impl Search<'_> {
         let face = told.0.face_of(image).unwrap_or(outlier.face);
         let outlier = Outlier { face, ..outlier };
         let solution = Solution { outlier: Some(outlier), ..self.solution(told, &outliers, 1)? };
-        // Equal texels are no matter of chance, whatever the other faces tell.
+        // Equal texels are not chance, whatever the other faces tell.
         let certain = matches!(outlier.reason, Reason::CopyOf(_)) || self.tells(&solution);
         Ok(certain.then_some(solution))
     }
@@ -355,7 +355,7 @@ impl Solution {
     }
 }
 
-/// The seven arrangements that lay one face otherwise and leave the others as they are.
+/// The seven arrangements that differ in the orientation of one face.
 fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
     let others = (0..8).filter(|&orientation| orientation != found.orientations[face.index()]);
     others.map(|orientation| found.with_orientation(face, orientation)).collect()

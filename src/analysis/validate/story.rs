@@ -1,7 +1,8 @@
 //! What happened to the files: an order in which they are named or stored, and a few faults on top of it.
 //!
-//! Seams leave many repairs that close equally well. The one that is taken tells the shortest story: files exchanged are
-//! cheaper than files edited, a turned file is cheaper than a flipped one, and what has one cause for all six is one order.
+//! Seams leave many repairs that close equally well. The fix is the one with the shortest story: files exchanged are
+//! cheaper than files edited, a turned file is cheaper than a flipped one, and one cause for all six files is one
+//! order.
 
 use std::fmt;
 
@@ -170,7 +171,7 @@ fn exchange(ring: &[Face]) -> String {
     };
     match names[..] {
         [one, other] => format!("exchange {one} and {other}{why}"),
-        _ => format!("exchange {} in a ring: each takes the picture of the next", names.join(", ")),
+        _ => format!("exchange {} in a cycle: each takes the picture of the next", names.join(", ")),
     }
 }
 

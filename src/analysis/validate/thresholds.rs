@@ -1,4 +1,4 @@
-//! All thresholds of the validator: what each separates, and on which sides of it the maps at hand lie.
+//! All thresholds of the validator: what each separates, and the margins of the maps at hand on either side.
 //!
 //! `cargo test --release -p skycube-analysis thresholds -- --ignored --nocapture` prints the margins for the project's maps
 //! and those beside the repository. Steps are of 255 display codes; fits are those of [`super::search::arrangement`].

@@ -1,4 +1,4 @@
-//! What a file says of its colours: as a curve for each channel and a matrix.
+//! The colour space of a file: a curve for each channel and a matrix.
 
 use glam::{DMat3, DVec3};
 use moxcms::{ColorProfile, DataColorSpace};
@@ -12,7 +12,7 @@ pub struct ColourSpace {
     pub matrix: [[f32; 3]; 3],
 }
 
-/// A colour space, `None` for the usual one of the format; or what of the file is not heeded.
+/// A colour space, `None` for the usual one of the format; or a note on what is ignored.
 pub type Found = Result<Option<ColourSpace>, String>;
 
 /// Chromaticities x, y of red, green, blue and white.
@@ -20,7 +20,7 @@ pub type Primaries = [[f64; 2]; 4];
 
 pub const REC_709: Primaries = [[0.64, 0.33], [0.3, 0.6], [0.15, 0.06], [0.3127, 0.329]];
 
-/// Matrices this near to the identity stand for Rec. 709: files round its numbers in many ways.
+/// Matrices this near to the identity stand for Rec. 709: files round its numbers differently.
 const SAME_COLOUR: f64 = 0.01;
 
 /// The usual curve is kept where no 8-bit code differs by more.
@@ -43,13 +43,13 @@ impl ColourSpace {
 
     /// Linear samples; `None` where they are those of Rec. 709.
     pub fn linear(primaries: Primaries, factor: f64) -> Found {
-        let matrix = factor * to_rec_709(primaries).ok_or("its primaries are no colours: they are not heeded")?;
+        let matrix = factor * to_rec_709(primaries).ok_or("its primaries are not valid colours: they are ignored")?;
         Ok((!is_identity(matrix)).then(|| Self { curves: None, matrix: rows(matrix) }))
     }
 
-    /// From an ICC profile, for samples of so many codes.
+    /// From an ICC profile, for samples of this number of codes.
     pub fn of_profile(profile: &[u8], codes: usize, grey: bool) -> Found {
-        let unread = |why: &str| Err(format!("its colour profile is not heeded ({why}): it is read as sRGB"));
+        let unread = |why: &str| Err(format!("its colour profile is ignored ({why}): it is read as sRGB"));
         let Ok(profile) = ColorProfile::new_from_slice(profile) else { return unread("it cannot be read") };
         let tables = |curves: [Option<Vec<f32>>; 3]| match curves {
             [Some(red), Some(green), Some(blue)] => Some([red, green, blue]),
@@ -88,7 +88,7 @@ impl ColourSpace {
                 (tables(curves), DMat3::from_cols_array_2d(&matrix).transpose())
             }
             DataColorSpace::Rgb if !grey => return unread("it consists of tables"),
-            _ => return unread("it is for other channels than the picture has"),
+            _ => return unread("it describes other channels than those of the picture"),
         };
         let Some(curves) = curves else { return unread("it has no curves") };
         let usual = |curve: &Vec<f32>| {
@@ -122,7 +122,7 @@ impl ColourSpace {
             return None;
         }
         let Some(matrix) = to_rec_709(primaries.unwrap_or(REC_709)) else {
-            return Some(Err("its primaries (cHRM) are no colours: they are not heeded".to_owned()));
+            return Some(Err("its primaries (cHRM) are not valid colours: they are ignored".to_owned()));
         };
         Some(Ok(match gamma {
             // 1 / 2.2 is what programs write for sRGB.
@@ -141,7 +141,7 @@ fn table(codes: usize, build: impl Fn(bool) -> Option<Vec<f32>>) -> Option<Vec<f
 
 /// The code points of ITU-T H.273 for primaries and curve.
 fn of_code_points(primaries: u8, curve: u8, codes: usize) -> Found {
-    let unread = |what: &str, code: u8| format!("its {what} (cICP {code}) is not heeded: it is read as sRGB");
+    let unread = |what: &str, code: u8| format!("its {what} (cICP {code}) is ignored: it is read as sRGB");
     let d65 = REC_709[3];
     let primaries = match primaries {
         1 => REC_709,

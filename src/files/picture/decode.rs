@@ -1,4 +1,4 @@
-//! Decoding of every file format that is read.
+//! Decoding of every supported file format.
 
 use std::path::Path;
 

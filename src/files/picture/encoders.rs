@@ -6,7 +6,7 @@ use image::{ExtendedColorType, ImageError};
 
 use crate::error::{Error, Result};
 
-/// A JPEG file of three sRGB-encoded bytes a pixel, row by row from the top. `quality` is from 1 (small) to 100 (good).
+/// A JPEG file of three sRGB-encoded bytes per pixel, row by row from the top. `quality` is from 1 (small) to 100 (good).
 pub fn encode_jpeg(width: usize, height: usize, bytes: &[u8], quality: u8) -> Result<Vec<u8>> {
     let (Ok(columns), Ok(rows)) = (u16::try_from(width), u16::try_from(height)) else {
         return Err(Error::new(format!("{width} x {height} is too large for JPEG"))

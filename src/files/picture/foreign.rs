@@ -1,4 +1,4 @@
-//! What a file that is no picture really is, and what its owner can do about it.
+//! Recognises files that are not pictures, and tells their owner what to do.
 
 use crate::error::Error;
 
@@ -30,19 +30,19 @@ fn describe(encoded: &[u8]) -> (String, &'static str) {
         ),
         () if text.starts_with("<svg") || text.contains("<svg") => ("this is an SVG drawing", CONVERT),
         () if text.starts_with("<?xml") => ("this is an XML document, not a picture", "download the picture itself"),
-        () if starts(b"PK\x03\x04") => ("this is a zip archive", "give the archive itself a name that ends in .zip"),
-        () if starts(b"GIF8") => ("this is a GIF picture, which is not read", CONVERT),
-        () if starts(b"DDS ") => ("this is a DirectDraw surface (DDS), which is not read", CONVERT),
-        () if starts(b"8BPS") => ("this is a Photoshop document, which is not read", CONVERT),
-        () if starts(b"\xABKTX") => ("this is a KTX texture, which is not read", CONVERT),
-        () if encoded.get(4..8) == Some(b"ftyp") => ("this is a HEIF or AVIF picture, which is not read", CONVERT),
-        () if starts(b"\x00\x00\x00\x0CjP  ") => ("this is a JPEG 2000 picture, which is not read", CONVERT),
+        () if starts(b"PK\x03\x04") => ("this is a zip archive", "rename the archive so that its name ends in .zip"),
+        () if starts(b"GIF8") => ("this is a GIF picture, an unsupported format", CONVERT),
+        () if starts(b"DDS ") => ("this is a DirectDraw surface (DDS), an unsupported format", CONVERT),
+        () if starts(b"8BPS") => ("this is a Photoshop document, an unsupported format", CONVERT),
+        () if starts(b"\xABKTX") => ("this is a KTX texture, an unsupported format", CONVERT),
+        () if encoded.get(4..8) == Some(b"ftyp") => ("this is a HEIF or AVIF picture, an unsupported format", CONVERT),
+        () if starts(b"\x00\x00\x00\x0CjP  ") => ("this is a JPEG 2000 picture, an unsupported format", CONVERT),
         () if starts(b"%PDF") => ("this is a PDF document", "export its picture as PNG"),
-        () if encoded.iter().all(|&byte| byte == 0) => ("the file holds nothing but zero bytes", DOWNLOAD_AGAIN),
+        () if encoded.iter().all(|&byte| byte == 0) => ("the file contains only zero bytes", DOWNLOAD_AGAIN),
         () if is_text(encoded) => {
             ("this is a text file, not a picture", "name the picture itself, or download it again if it should be one")
         }
-        () => ("no known picture format", "check that the file is complete, or convert it to PNG with an image editor"),
+        () => ("unknown picture format", "check that the file is complete, or convert it to PNG with an image editor"),
     };
     (what.to_owned(), help)
 }

@@ -77,8 +77,8 @@ impl Format {
         })
     }
 
-    /// The format the content shows. Only if the content shows none does the name count, and only for TGA, which has
-    /// no signature. `None` if the bytes are no picture we read.
+    /// The format the content shows. Only if the content shows none does the name count, and only for TGA, which has no
+    /// signature. `None` if the bytes are not a supported picture.
     pub fn of_content(encoded: &[u8], name: &Path) -> Option<Self> {
         if let Some((_, format)) = SIGNATURES.iter().find(|(signature, _)| encoded.starts_with(signature)) {
             return Some(*format);

@@ -1,4 +1,4 @@
-//! Code of others that may panic on a file.
+//! Guards against decoders that panic on a file.
 
 use std::cell::Cell;
 use std::panic::{AssertUnwindSafe, catch_unwind, set_hook, take_hook};
@@ -27,8 +27,8 @@ pub fn guarded<T>(work: impl FnOnce() -> Result<T>) -> Result<T> {
     let result = catch_unwind(AssertUnwindSafe(work));
     GUARDED.set(before);
     result.unwrap_or_else(|_| {
-        Err(Error::new("this file cannot be decoded: it is of a kind that the decoder does not know, or damaged")
-            .help("save it anew as PNG with an image editor, or download it again")
+        Err(Error::new("this file cannot be decoded: its variant is unknown to the decoder, or it is damaged")
+            .help("save it again as PNG with an image editor, or download it again")
             .of_damage())
     })
 }

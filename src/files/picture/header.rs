@@ -1,4 +1,4 @@
-//! What a file says of its picture before any pixel is decoded.
+//! The header of a picture, read before any pixel is decoded.
 
 use super::{Format, jpeg_extent};
 use crate::error::{Error, Result};
@@ -14,7 +14,7 @@ pub struct Header {
     pub width: usize,
     pub height: usize,
     pub format: Format,
-    /// Bits a channel in the file (1 to 32).
+    /// Bits per channel in the file (1 to 32).
     pub bit_depth: u8,
     /// True if the file has an alpha channel. Its colours are read as they stand; the alpha is not applied.
     pub alpha: bool,
@@ -53,6 +53,6 @@ pub(super) fn check_size(width: usize, height: usize, bytes_per_texel: usize) ->
 /// The error for a picture whose data do not decode.
 pub(super) fn damaged(format: Format, detail: impl std::fmt::Display) -> Error {
     Error::new(format!("this {} picture cannot be decoded: {detail}", format.name()))
-        .help("the file is damaged, incomplete or of an unsupported kind; download it again or save it anew as PNG")
+        .help("the file is damaged, incomplete or of an unsupported kind; download it again or save it again as PNG")
         .of_damage()
 }

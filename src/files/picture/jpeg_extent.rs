@@ -1,7 +1,7 @@
 //! Whether a JPEG file reaches its end marker.
 //!
-//! The decoder fills what is missing of a truncated file with grey and says nothing, which would be read as a wrong
-//! picture rather than as a broken one.
+//! The decoder silently fills the missing part of a truncated file with grey, which would look like a wrong picture
+//! instead of a broken file.
 
 /// True if the markers of the file lead from its start to an end-of-image marker (ITU-T T.81, annex B).
 pub fn is_complete(encoded: &[u8]) -> bool {

@@ -1,4 +1,4 @@
-//! Every file format of pictures, in terms of samples.
+//! All file formats of pictures, in terms of samples.
 //!
 //! Only this module touches the image codecs.
 

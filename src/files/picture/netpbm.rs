@@ -1,4 +1,4 @@
-//! The formats that one writes by hand: PBM, PGM, PPM (Netpbm, P1 to P6) and PFM (floats).
+//! The formats that students write by hand: PBM, PGM, PPM (Netpbm, P1 to P6) and PFM (floats).
 
 use super::header::{check_size, damaged};
 use super::{Decoded, Format, Header, Samples};

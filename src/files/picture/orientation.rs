@@ -1,4 +1,4 @@
-//! How a picture is to be turned: cameras store it as the sensor lay, with a flag beside it.
+//! The orientation flag of a picture: cameras store the pixels of the sensor, with a flag for the rotation.
 
 use image::ImageDecoder;
 
@@ -25,7 +25,7 @@ impl Orientation {
 
     /// What a user should know.
     pub fn note(self) -> Option<String> {
-        (self.0 != 1).then(|| format!("it is turned as its orientation flag ({}) says", self.0))
+        (self.0 != 1).then(|| format!("it is turned according to its orientation flag ({})", self.0))
     }
 
     /// The samples as seen.

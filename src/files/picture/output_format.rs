@@ -1,4 +1,4 @@
-//! The file formats that are written, chosen by the extension of the target.
+//! The output formats, chosen by the extension of the target.
 
 use std::path::Path;
 

@@ -1,4 +1,4 @@
-//! The loops over pixels that a file format needs and that an optimised package has to supply.
+//! The loops over pixels that an optimised package supplies to the file formats.
 
 use image::{ImageDecoder, ImageResult};
 

@@ -8,7 +8,7 @@ use image::{ExtendedColorType, ImageEncoder};
 use crate::atomic_file::write_atomically;
 use crate::error::{Error, Result};
 
-/// Bits a channel of a PNG file.
+/// Bits per channel of a PNG file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PngDepth {
     #[default]
@@ -19,11 +19,11 @@ pub enum PngDepth {
 /// Samples of a picture as a PNG file holds them, sRGB-encoded, row by row from the top left.
 #[derive(Debug, Clone, Copy)]
 pub enum PngSamples<'a> {
-    /// Three bytes a pixel.
+    /// Three bytes per pixel.
     Rgb8(&'a [u8]),
-    /// Four bytes a pixel; the alpha is not premultiplied.
+    /// Four bytes per pixel; the alpha is not premultiplied.
     Rgba8(&'a [u8]),
-    /// Three 16-bit numbers a pixel.
+    /// Three 16-bit numbers per pixel.
     Rgb16(&'a [u16]),
 }
 
@@ -43,7 +43,7 @@ pub fn encode_png(width: usize, height: usize, samples: PngSamples<'_>) -> Resul
         return Err(Error::new(format!("{width} x {height} is too large for PNG")));
     };
     if bytes.len() != expected || expected == 0 {
-        return Err(Error::new(format!("{} bytes are no picture of {width} x {height} pixels", bytes.len())));
+        return Err(Error::new(format!("{} bytes do not make a picture of {width} x {height} pixels", bytes.len())));
     }
     let mut encoded = Vec::new();
     PngEncoder::new_with_quality(&mut encoded, CompressionType::Fast, FilterType::Adaptive)

@@ -1,4 +1,4 @@
-//! What the header of an HDR (RGBE) file says of its light, which the decoder passes over.
+//! The header of an HDR (RGBE) file: exposure and primaries, which the decoder ignores.
 
 use super::Format;
 use super::colour_space::{ColourSpace, REC_709};
@@ -13,7 +13,7 @@ fn lines(encoded: &[u8]) -> impl Iterator<Item = (String, String)> {
     text.lines().filter_map(line).collect::<Vec<_>>().into_iter()
 }
 
-/// An error if the pixels are no RGB.
+/// An error if the pixels are not RGB.
 pub fn check(encoded: &[u8]) -> Result<()> {
     match lines(encoded).find(|(key, value)| key == "FORMAT" && value.contains("xyze")) {
         Some(_) => Err(damaged(Format::Hdr, "its pixels are XYZ, not RGB")),
@@ -29,7 +29,7 @@ pub fn colours(encoded: &[u8]) -> (Option<ColourSpace>, Vec<String>) {
         match (key.as_str(), numbers.as_slice()) {
             ("EXPOSURE", &[factor]) if factor > 0.0 && factor.is_finite() => exposure *= factor,
             ("PRIMARIES", &[rx, ry, gx, gy, bx, by, wx, wy]) => primaries = [[rx, ry], [gx, gy], [bx, by], [wx, wy]],
-            ("EXPOSURE" | "PRIMARIES" | "COLORCORR", _) => notes.push(format!("its {key} is not heeded")),
+            ("EXPOSURE" | "PRIMARIES" | "COLORCORR", _) => notes.push(format!("its {key} is ignored")),
             _ => (),
         }
     }

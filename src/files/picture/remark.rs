@@ -1,4 +1,4 @@
-//! A remark inside of a picture file, where programs that show file properties find it.
+//! A remark inside a picture file, shown by programs among the file properties.
 
 use super::OutputFormat;
 

@@ -35,7 +35,7 @@ pub fn decode(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<
     Ok(Decoded { header, samples: orientation.applied(samples, [stored.0 as usize, stored.1 as usize]), space, notes })
 }
 
-/// The colour space that a file speaks of, and what of it is not heeded.
+/// The colour space that a file names, and a note on what is ignored.
 fn colours(
     encoded: &[u8],
     format: Format,
@@ -66,7 +66,7 @@ pub fn read_header(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Re
 
 fn open<'a>(encoded: &'a [u8], format: Format, loops: &dyn PixelLoops) -> Result<Box<dyn ImageDecoder + 'a>> {
     if format == Format::Tiff && tiff_tags::fill_order(encoded) == Some(2) {
-        return Err(damaged(format, "its bits are stored from the lowest on (FillOrder 2)"));
+        return Err(damaged(format, "its bits are stored from the lowest to the highest (FillOrder 2)"));
     }
     if format == Format::Hdr {
         radiance_header::check(encoded)?;
@@ -110,7 +110,7 @@ fn header_of(decoder: &dyn ImageDecoder, encoded: &[u8], format: Format, orienta
     Ok(Header { width, height, format, bit_depth, alpha: colour.has_alpha() })
 }
 
-/// Bits a channel. The codecs widen small depths, so PNG and BMP are asked for theirs here; the colours of a palette
+/// Bits per channel. The codecs widen small depths, so PNG and BMP are asked for theirs here; the colours of a palette
 /// have 8 bits, whatever the width of its indices.
 fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
     const PNG_PALETTE: u8 = 3;
@@ -128,7 +128,7 @@ fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
     }
 }
 
-/// Three bytes a pixel, in memory for reading at random places.
+/// Three bytes per pixel, in memory for reading at random places.
 fn read_bytes(decoder: Box<dyn ImageDecoder + '_>) -> ImageResult<Samples> {
     let mut bytes = zeros_on_large_pages(0, decoder.total_bytes() as usize);
     decoder.read_image_boxed(&mut bytes)?;

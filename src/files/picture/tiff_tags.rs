@@ -1,4 +1,4 @@
-//! Tags of a TIFF file that its decoder passes over.
+//! Tags of a TIFF file that its decoder ignores.
 
 /// The order of bits in a byte (tag 266): 1 from the highest on, 2 from the lowest; `None` if the file does not say it.
 pub fn fill_order(encoded: &[u8]) -> Option<u16> {

@@ -1,4 +1,4 @@
-//! An axis on which equal factors are equal lengths.
+//! A logarithmic axis.
 
 use crate::math::functions::{decimal_logarithm, power_f64};
 

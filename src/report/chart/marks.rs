@@ -1,4 +1,4 @@
-//! A finished chart: lines, areas and words, to be written as SVG or drawn as a picture.
+//! A finished chart: lines, areas and text, for output as SVG or as a picture.
 
 use std::fmt::Write;
 

@@ -1,4 +1,4 @@
-//! Panels side by side, each with a grid and lines, and under them what the lines are.
+//! Panels side by side, each with a grid and lines, and a legend below.
 
 use super::super::drawing::{Anchor, text_width};
 use super::axis::Axis;
@@ -58,7 +58,7 @@ const GAP: f32 = 14.0;
 /// Length of an em.
 const EM: f32 = 21.0;
 
-/// Draws two panels a row. They share the legend of the first, or each has its own.
+/// Draws two panels per row. They share the legend of the first, or each has its own.
 pub(in crate::report) fn draw_panels(title: &str, panels: &[Panel], share_legend: bool) -> Chart {
     let mut chart = Chart { width: WIDTH as usize, height: 0, marks: Vec::new() };
     chart.text(title, 1.25 * EM, (WIDTH / 2.0, 30.0), Anchor::Middle);

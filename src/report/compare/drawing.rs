@@ -1,4 +1,4 @@
-//! Mine, expected, and where they differ, side by side.
+//! Your picture, the expected one and a heat map of the difference, side by side.
 
 use tiny_skia::{Color, IntSize, Pixmap};
 
@@ -85,7 +85,7 @@ fn draw_legend(width: usize) -> Drawing {
         let label = if tenth == 10 { "1".to_owned() } else { format!("0.{tenth}") };
         canvas.plain_text(&label, 16.0, (x, 40.0), anchor, dark());
     }
-    let note = "FLIP: 0 the eye sees no difference, 1 the largest; framed: the worst region";
+    let note = "FLIP: 0 no visible difference, 1 the largest; framed: the worst region";
     if left > 2 * MARGIN {
         canvas.fitted_text(note, 16.0, (MARGIN as f32, 24.0), (left - 2 * MARGIN) as f32);
     }
@@ -98,7 +98,7 @@ fn ground() -> Color {
 
 fn heat_map(plane: &Plane) -> Pixmap {
     let size = IntSize::from_wh(plane.width() as u32, plane.height() as u32).expect("a plane has pixels");
-    Pixmap::from_vec(magma_bytes(plane.values()), size).expect("four bytes a pixel")
+    Pixmap::from_vec(magma_bytes(plane.values()), size).expect("four bytes per pixel")
 }
 
 #[cfg(test)]

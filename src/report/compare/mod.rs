@@ -1,4 +1,4 @@
-//! What `skycube compare` says and draws.
+//! The report and the drawings of `skycube compare`.
 
 mod drawing;
 mod report;

@@ -108,7 +108,7 @@ impl CompareReport<'_> {
             Metric::Flip | Metric::Rmse => "at most",
             Metric::Psnr | Metric::Ssim => "at least",
         };
-        let measured = format!("{name} is {}, and {bound} {threshold} is asked for", in_digits(value));
+        let measured = format!("{name} is {} ({bound} {threshold} required)", in_digits(value));
         let within = self.metric.is_within(value, threshold);
         match self.verdict() {
             Verdict::Identical => "identical: every pixel is the same".to_owned(),
@@ -154,12 +154,12 @@ fn row(metrics: &Metrics) -> String {
     format!("{:>7.4}  {psnr:>7}  {:>7.4}  {:>7.4}", metrics.rmse, metrics.ssim, metrics.flip)
 }
 
-/// Where a picture of so many pixels differs most.
+/// The region where a picture of this size differs most.
 fn worst_line(worst: &Region, pixels: usize, undone: bool) -> String {
     let Region { x, y, width, height, flip, flip_outside, share } = *worst;
     let left = if undone { "what is left" } else { "the difference" };
     if width * height == pixels {
-        return format!("{left} is all over the picture: FLIP {flip:.3} in the mean, and no place stands out");
+        return format!("{left} covers the whole picture: mean FLIP {flip:.3}, no region stands out");
     }
     format!(
         "{left} is largest in columns {x} to {}, rows {y} to {}: FLIP {flip:.3} there, {flip_outside:.3} elsewhere, {:.0} % of all",

@@ -1,4 +1,4 @@
-//! What `skycube converge` says and draws.
+//! The report and the drawings of `skycube converge`.
 
 mod plot;
 mod report;

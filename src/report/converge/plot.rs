@@ -1,4 +1,4 @@
-//! What a second of computing buys, as a chart: error against samples and against time, all axes logarithmic.
+//! The convergence chart: error against samples and against time, all axes logarithmic.
 //!
 //! ```text
 //!   +------------------+  +------------------+
@@ -17,7 +17,7 @@ use crate::math::functions::power_f64;
 /// The chart of a report.
 pub fn draw_convergence(report: &ConvergeReport, measure: Measure) -> Chart {
     let names: Vec<&str> = report.scenes.iter().map(|scene| scene.name.as_str()).collect();
-    let title = format!("What computing buys: {}", names.join(", "));
+    let title = format!("Error against cost: {}", names.join(", "));
     let (series, floors) = (series(report, measure), floors(report, measure));
     let panels = [Cost::Samples, Cost::Seconds].map(|cost| panel(&series, &floors, measure, cost));
     draw_panels(&title, &panels, true)

@@ -1,4 +1,4 @@
-//! What a second of computing buys, as text and JSON.
+//! The report of `skycube converge`, as text and JSON.
 
 use std::fmt;
 
@@ -80,7 +80,7 @@ impl fmt::Display for ConvergeReport {
             scene.fmt(formatter)?;
         }
         if self.stopped {
-            writeln!(formatter, "stopped by Ctrl-C: these are the steps that were finished")?;
+            writeln!(formatter, "stopped by Ctrl-C: only the finished steps are shown")?;
         }
         Ok(())
     }
@@ -189,7 +189,7 @@ fn slopes(curve: &Curve) -> String {
         (Some(samples), Some(seconds)) => {
             format!("slope of RMSE: {samples:.2} against samples, {seconds:.2} against seconds, from {counted} steps")
         }
-        _ => format!("no slope: {counted} steps with an error above twice that of the reference"),
+        _ => format!("no slope: {counted} steps with an error above twice the error of the reference"),
     }
 }
 

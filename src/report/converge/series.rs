@@ -63,7 +63,7 @@ impl Cost {
 
     pub fn title(self) -> &'static str {
         match self {
-            Cost::Samples => "samples a pixel",
+            Cost::Samples => "samples per pixel",
             Cost::Seconds => "seconds",
         }
     }

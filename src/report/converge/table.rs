@@ -1,4 +1,4 @@
-//! What a second of computing buys, as a table for spreadsheets.
+//! The measurements of `skycube converge`, as a table for spreadsheets.
 
 use super::report::{ConvergeReport, ConvergedScene};
 use crate::converge::{Curve, Step};
@@ -31,7 +31,7 @@ const COLUMNS: [&str; 25] = [
     "reference_rmse",
 ];
 
-/// One line a step, under a line of names (RFC 4180, but for the ends of lines). What is not known is empty.
+/// One line per step, under a line of names (RFC 4180, but for the ends of lines). Unknown values are empty.
 pub fn converge_csv(report: &ConvergeReport) -> String {
     let mut text = COLUMNS.join(",") + "\n";
     for scene in &report.scenes {

@@ -1,4 +1,4 @@
-//! What drawings are made of: text, arrows, lines, plates, pictures.
+//! The elements of drawings: text, arrows, lines, plates, pictures.
 
 use tiny_skia::{
     Color, FillRule, IntSize, LineCap, LineJoin, Paint, Path, PathBuilder, Pixmap, PixmapMut, PixmapPaint, Rect,
@@ -14,7 +14,7 @@ pub(in crate::report) fn dark() -> Color {
     Color::from_rgba8(24, 22, 34, 255)
 }
 
-/// Draws on a pixmap in units of its own: a scale makes one layout serve all sizes. Y points down.
+/// Draws on a pixmap in layout units: a scale makes one layout serve all sizes. Y points down.
 pub(in crate::report) struct Canvas<'a> {
     pixmap: PixmapMut<'a>,
     scale: Transform,
@@ -133,7 +133,7 @@ pub(in crate::report) fn blank(width: usize, height: usize, colour: Color) -> Pi
 /// A raster as it is displayed.
 pub(in crate::report) fn displayed(raster: &Raster, tone_map: ToneMap) -> Pixmap {
     let size = IntSize::from_wh(raster.width() as u32, raster.height() as u32).expect("a raster has pixels");
-    Pixmap::from_vec(display_bytes(raster, tone_map), size).expect("four bytes a pixel")
+    Pixmap::from_vec(display_bytes(raster, tone_map), size).expect("four bytes per pixel")
 }
 
 /// A turn clockwise by a multiple of 90 degrees about the origin, exact (y points down).

@@ -1,9 +1,9 @@
-//! The compass: a cube map on which a wrong face is seen at a glance.
+//! The compass: a cube map that shows a wrong face at a glance.
 //!
 //! Every face has its own colour, its name in the middle, arrows along growing u and v, a grid in tenths, and at each
-//! border the name of the neighbour. Along each of the twelve seams runs a border strip that is a function of the
-//! point on the cube alone, so it goes on across the seam: a colour gradient with bent bars, which read as the
-//! number of the seam in binary. Positions along a seam are never symmetric, so the map closes in one orientation only.
+//! border the name of the neighbour. Along each of the twelve seams runs a border strip that is a function of the point
+//! on the cube alone, so it continues across the seam: a colour gradient with bent bars, which give the number of the
+//! seam in binary. Positions along a seam are never symmetric, so the map closes in one orientation only.
 //!
 //! ```text
 //!   +---------------------------+    s, t: coordinates on the face, -1 to 1,
@@ -172,7 +172,7 @@ fn smoothstep(start: f32, end: f32, value: f32) -> f32 {
     x * x * (3.0 - 2.0 * x)
 }
 
-/// Marks are laid out on a square of this many units and scaled to the face.
+/// The size of the square on which marks are designed, in units; they are scaled to the face.
 const LAYOUT: f32 = 512.0;
 
 /// Draws all marks of a face over its background. None touches the outer half of the border strip.

@@ -23,7 +23,7 @@ impl Drawing {
         self.0.height() as usize
     }
 
-    /// Three bytes a pixel, row by row from the top left.
+    /// Three bytes per pixel, row by row from the top left.
     pub fn bytes(&self) -> Vec<u8> {
         without_opacity(self.0.data())
     }

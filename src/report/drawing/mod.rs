@@ -1,4 +1,4 @@
-//! Drawings: a canvas, text, and what is drawn of maps.
+//! Drawings: a canvas, text, and the drawings of maps.
 
 mod canvas;
 mod compass;

@@ -1,4 +1,4 @@
-//! What a drawing says of a seam.
+//! The mark of a seam in a drawing.
 
 use tiny_skia::Color;
 

@@ -19,9 +19,9 @@ fn repository_holds_the_compass_as_it_is_drawn() {
     }
 }
 
-/// Texels of a face along one border, turned by one of the eight ways to lay a square picture (bit 0: u is `1 - u`,
-/// bit 1: v is `1 - v`, bit 2: u and v change places). Texel `i` touches the border towards
-/// `neighbour`, at `(i + 0.5) / SIZE` along the growing free axis.
+/// Texels of a face along one border, turned to one of the eight orientations of a square picture (bit 0: u is `1 - u`,
+/// bit 1: v is `1 - v`, bit 2: u and v change places). Texel `i` touches the border towards `neighbour`, at `(i + 0.5)
+/// / SIZE` along the growing free axis.
 fn border(faces: &[Picture], frame: &FaceFrame, neighbour: Face, orientation: usize) -> Vec<[f32; 3]> {
     let texel = |index: usize| {
         let along = 2.0 * (index as f32 + 0.5) / SIZE as f32 - 1.0;

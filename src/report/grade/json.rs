@@ -1,4 +1,4 @@
-//! The grade of six shots, for machines.
+//! The grade of six shots as JSON.
 
 use serde::Serialize;
 

@@ -1,4 +1,4 @@
-//! What `skycube grade` says.
+//! The report of `skycube grade`.
 
 mod json;
 mod report;

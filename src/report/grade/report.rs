@@ -1,4 +1,4 @@
-//! What `skycube grade` says: what each shot shows, whether lookup or camera is wrong, and the repair in the words of the
+//! The report of `skycube grade`: the image in each shot, the fault of lookup or camera, and the repair in terms of the
 //! student's code.
 
 use std::fmt;
@@ -44,17 +44,17 @@ impl GradeReport<'_> {
     /// The verdict as a sentence.
     fn verdict(&self) -> String {
         let wrong = self.grade.faces.iter().filter(|face| face.is_wrong()).count();
-        let cases = format!("{} {}", faces(wrong), if wrong == 1 { "is" } else { "are" });
-        let others = if wrong == 0 { String::new() } else { format!(", and {cases} to be repaired") };
+        let cases = format!("{} {}", faces(wrong), if wrong == 1 { "needs" } else { "need" });
+        let others = if wrong == 0 { String::new() } else { format!(", and {cases} repair") };
         match self.grade.verdict() {
-            GradeVerdict::Right => "right: every shot that the pixels decide shows what it should".to_owned(),
+            GradeVerdict::Right => "right: every shot that the pixels decide shows the right image".to_owned(),
             GradeVerdict::Lookup if self.grade.undivided => {
                 format!("the lookup is wrong: it does not divide by the largest component{others}")
             }
             GradeVerdict::CameraAndLookup if self.grade.undivided => {
                 format!("the camera is wrong, and the lookup does not divide by the largest component{others}")
             }
-            GradeVerdict::Lookup => format!("the lookup is wrong: {cases} to be repaired"),
+            GradeVerdict::Lookup => format!("the lookup is wrong: {cases} repair"),
             GradeVerdict::Camera if self.grade.faces.iter().any(|face| face.misfit.is_some()) => {
                 "the camera is wrong, and not every shot shows an image of the map".to_owned()
             }
@@ -65,9 +65,9 @@ impl GradeReport<'_> {
                 "the lookup is wrong, or the camera is: both explain these shots".to_owned()
             }
             GradeVerdict::Camera => "the camera is wrong, the lookup is right".to_owned(),
-            GradeVerdict::CameraAndLookup => format!("the camera is wrong, and {cases} to be repaired in the lookup"),
+            GradeVerdict::CameraAndLookup => format!("the camera is wrong, and {cases} repair in the lookup"),
             GradeVerdict::OutOfRange => self.out_of_range().to_owned(),
-            GradeVerdict::Undecided => "undecided: the pixels tell nothing, choose a map with more detail".to_owned(),
+            GradeVerdict::Undecided => "undecided: the pixels show too little; use a map with more detail".to_owned(),
         }
     }
 
@@ -80,8 +80,8 @@ impl GradeReport<'_> {
     fn out_of_range(&self) -> &'static str {
         let shown = |misfit: &Misfit| *misfit == Misfit::Unlike;
         if self.grade.faces.iter().filter_map(|face| face.misfit).all(|misfit| shown(&misfit)) {
-            "a shot fits no orientation of any image: the texture is read out of range, or the map is another one, or the camera \
-             is rolled, elsewhere, or not 90° wide in this shot alone"
+            "a shot fits no orientation of any image: the texture is read out of range, or the map is another one, or \
+             the camera is rolled, elsewhere, or not 90° wide in this shot alone"
         } else {
             "a shot shows no image of the map: the texture is read out of range"
         }
@@ -119,8 +119,8 @@ impl GradeReport<'_> {
         }
         if self.grade.undivided {
             notes.push(
-                "each picture shows only the middle of its image, enlarged, as code does that takes the components of a unit \
-                 direction without dividing them; images and orientations are told as if it had divided"
+                "each picture shows only the middle of its image, enlarged: the sign of code that uses the components \
+                 of a unit direction without dividing them; images and orientations are told as if it had divided"
                     .to_owned(),
             );
         }
@@ -166,7 +166,7 @@ impl GradeReport<'_> {
 
 impl fmt::Display for GradeReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let because = if self.lookup_given { "" } else { ", by which it is judged because --lookup was not given" };
+        let because = if self.lookup_given { "" } else { " (the default, because --lookup was not given)" };
         writeln!(
             formatter,
             "shots of {} by your code, which should have the lookup {} (world up {}){because}",

@@ -18,8 +18,8 @@ pub(super) fn cause(cause: Cause, v_origin: VOrigin) -> String {
                 .to_owned()
         }
         Cause::AbsForgotten => {
-            "abs() is forgotten: you divide by the component itself, which is negative on negx, negy and \
-                                negz, and so both coordinates change their signs there"
+            "abs() is missing: you divide by the component itself, which is negative on negx, negy and negz, so both \
+             coordinates change their signs there"
                 .to_owned()
         }
         Cause::NotHalved => "the coordinates are not halved: 0.5 + x / m in place of 0.5 + 0.5 * x / m".to_owned(),
@@ -41,7 +41,7 @@ pub(super) fn cause(cause: Cause, v_origin: VOrigin) -> String {
 /// What would be wrong had the camera of a shot another up vector.
 pub(super) fn other_up(face: Face, taken: SignedAxis, ups: &[(SignedAxis, Orientation)]) -> String {
     let ups: Vec<String> = ups.iter().map(|&(up, orientation)| format!("{up}: {}", coordinates(orientation))).collect();
-    format!("{} was judged with up = {taken}; if yours is another, its case needs: {}", face.name(), ups.join("; "))
+    format!("{} was judged with up = {taken}; if your up differs, its case needs: {}", face.name(), ups.join("; "))
 }
 
 /// The repair of code that does not divide.
@@ -85,8 +85,8 @@ pub(super) fn describe(camera: CameraFault) -> String {
             }
         };
         return format!(
-            "the axes are mixed up: your camera looks along {x} for +x, {y} for +y, {z} for +z{turned}; or the shots are \
-             named after other axes"
+            "the axes are exchanged: your camera looks along {x} for +x, {y} for +y, {z} for +z{turned}; or the shots \
+             are named after other axes"
         );
     }
     format!("all six are {}", placed_by(screen_operation(camera.orientation)))
@@ -95,35 +95,35 @@ pub(super) fn describe(camera: CameraFault) -> String {
 /// The wrong formulas that give every picture this orientation.
 fn placed_by(operation: ImageOperation) -> &'static str {
     match operation {
-        ImageOperation::None => "placed as they should be",
+        ImageOperation::None => "placed correctly",
         ImageOperation::FlipLeftRight => {
-            "mirrored left-right: x of the pixel has the wrong sign (columns are counted from the right), or right alone \
-             has it (negated after top = right x forward was computed, or right = up x forward where top is not computed \
-             from right)"
+            "mirrored left-right: x of the pixel has the wrong sign (columns are counted from the right), or right \
+             alone has it (negated after top = right x forward was computed, or right = up x forward where top is not \
+             computed from right)"
         }
         ImageOperation::FlipTopBottom => {
-            "upside down, mirrored top-bottom: rows are counted from the bottom, or top points down (top = forward x right \
-             in place of right x forward)"
+            "upside down, mirrored top-bottom: rows are counted from the bottom, or top points down (top = forward x \
+             right in place of right x forward)"
         }
         ImageOperation::Turn180 => {
-            "turned by 180°: right = up x forward in place of forward x up (top = right x forward then turns round with \
-             it), or x and y of the pixel both have the wrong sign, or the picture plane lies behind the eye"
+            "turned by 180°: right = up x forward in place of forward x up (top = right x forward then changes its \
+             sign, too), or x and y of the pixel both have the wrong sign, or the picture plane lies behind the eye"
         }
         ImageOperation::TurnClockwise => {
-            "turned by 90° clockwise: rows and columns, or right and top, are exchanged, and one of the two has the wrong \
-             sign"
+            "turned by 90° clockwise: rows and columns, or right and top, are exchanged, and one of the two has the \
+             wrong sign"
         }
         ImageOperation::TurnCounterclockwise => {
-            "turned by 90° counterclockwise: rows and columns, or right and top, are exchanged, and one of the two has the \
-             wrong sign"
+            "turned by 90° counterclockwise: rows and columns, or right and top, are exchanged, and one of the two \
+             has the wrong sign"
         }
         ImageOperation::Transpose => {
             "mirrored about the diagonal from the top left: rows and columns are exchanged, or right and top are, both \
              with the wrong sign"
         }
         ImageOperation::Transverse => {
-            "mirrored about the diagonal from the top right: right and top are exchanged, or rows and columns are, both \
-             counted from the wrong end"
+            "mirrored about the diagonal from the top right: right and top are exchanged, or rows and columns are, \
+             both counted from the wrong end"
         }
     }
 }
@@ -143,15 +143,15 @@ pub(super) fn other_explanation(alternative: &Alternative, grades: &[FaceGrade; 
             )
         }
         Alternative::Camera(camera) => format!(
-            "a right lookup and a wrong camera would make the same pictures: {} (the lookup is named because it is wrong \
-             at {} alone; {BLAMED})",
+            "a right lookup and a wrong camera would make the same pictures: {} (the lookup is named because it is \
+             wrong at {} alone; {BLAMED})",
             describe(*camera),
             faces(grades.iter().filter(|face| face.is_wrong()).count())
         ),
         Alternative::Both(camera, others) => both(*camera, others, grades),
         Alternative::Rolled(shots) => format!(
-            "a right lookup would make the same pictures if the up vector of the camera were another one in {}: compare \
-             it with what `skycube shots` prints",
+            "a right lookup would make the same pictures with another up vector of the camera in {}: compare yours \
+             with the output of `skycube shots`",
             names(shots)
         ),
         Alternative::Exchanged(pairs) => {
@@ -166,7 +166,7 @@ pub(super) fn other_explanation(alternative: &Alternative, grades: &[FaceGrade; 
 
 /// What decides between camera and lookup.
 const BLAMED: &str = "a camera is blamed if it leaves at most one face wrong, and at least three fewer than a right \
-                      camera does";
+                      camera";
 
 /// A wrong camera and a wrong lookup together, where the lookup alone has all of `alone` wrong.
 fn both(camera: CameraFault, grades: &[FaceGrade; 6], alone: &[FaceGrade; 6]) -> String {
@@ -176,14 +176,14 @@ fn both(camera: CameraFault, grades: &[FaceGrade; 6], alone: &[FaceGrade; 6]) ->
     let camera = describe(camera);
     if left == wrong && more > fewer {
         return format!(
-            "{together} with as many wrong faces ({left}), but more to change in them: {camera} (the lookup alone is named \
-             because {BLAMED})"
+            "{together} with as many wrong faces ({left}), but more changes in them: {camera} (the lookup alone is \
+             named because {BLAMED})"
         );
     }
     let count = if left == wrong { format!("as many wrong faces ({left})") } else { wrong_faces(left, wrong) };
     format!(
-        "{together} with {count}: {camera}; then {} (the lookup alone is named because {BLAMED}; compare your camera with \
-         what `skycube shots` prints)",
+        "{together} with {count}: {camera}; then {} (the lookup alone is named because {BLAMED}; compare your camera \
+         with the output of `skycube shots`)",
         repairs(grades)
     )
 }
@@ -208,12 +208,12 @@ pub(super) fn preset(reading: &PresetReading, blamed: CameraFault, world_up: Sig
         CameraFault::NONE => "or the camera is right, and your code contains".to_owned(),
         camera => format!("or {}; and your code contains", describe(camera)),
     };
-    let exactly = format!("{subject} exactly the preset {names}, as far as the pixels tell");
+    let exactly = format!("{subject} exactly the preset {names}, as far as the pixels show");
     match reading.presets[..] {
-        [Preset::Exercise] => format!("{exactly}: the sheet's formula for +X repeated by analogy"),
+        [Preset::Exercise] => format!("{exactly}: the formula of the sheet for +X, repeated by analogy"),
         [preset, ..] => {
             let axis = if preset.usual_up() == world_up { String::new() } else { format!(" --world-up {world_up}") };
-            format!("{exactly}: use --lookup {}{axis} if that is what you wanted", preset.name())
+            format!("{exactly}: use --lookup {}{axis} if you meant that one", preset.name())
         }
         [] => exactly,
     }
@@ -226,8 +226,8 @@ pub(super) fn undecided(face: &FaceGrade) -> String {
     images.dedup();
     let orientations = face.possible.len();
     let what = match images[..] {
-        [image] => format!("image {} in {orientations} ways", image.name()),
-        _ => format!("images {} in {orientations} ways", names(&images)),
+        [image] => format!("image {} in {orientations} orientations", image.name()),
+        _ => format!("images {} in {orientations} orientations", names(&images)),
     };
     let right = if face.is_wrong() { "" } else { ", the right one among them" };
     format!("face {} is undecided: the pixels fit {what}{right}", face.face.signed_name())
@@ -235,7 +235,7 @@ pub(super) fn undecided(face: &FaceGrade) -> String {
 
 pub(super) fn out_of_range(misfit: Misfit) -> &'static str {
     match misfit {
-        Misfit::Black => "it is black: the face is not read at all, or outside its texture",
+        Misfit::Black => "it is black: the face is never read, or outside its texture",
         Misfit::PartlyBlack => "a part of it is black: u or v leave the range from 0 to 1 there",
         Misfit::OneColour => "it is of one colour: u and v do not change, or are clamped everywhere",
         Misfit::Smeared => {
@@ -248,7 +248,7 @@ pub(super) fn out_of_range(misfit: Misfit) -> &'static str {
         Misfit::Repeated => {
             "it repeats itself: u or v run from -1 to 1 and are wrapped (is the step from -1..1 to 0..1 missing?)"
         }
-        Misfit::Unlike => "it is like no image of this map: is it another map, another place, or is the camera rolled?",
+        Misfit::Unlike => "it resembles no image of this map: is it another map or position, or a rolled camera?",
     }
 }
 

@@ -1,4 +1,4 @@
-//! What `skycube stress` says and draws.
+//! The report and the chart of `skycube stress`.
 
 mod plot;
 mod report;

@@ -1,4 +1,5 @@
-//! The chart of `skycube stress`: error over bound against magnitude, both logarithmic, a panel a group, a line a case.
+//! The chart of `skycube stress`: error over bound against magnitude, both logarithmic, one panel per group, one line
+//! per case.
 //!
 //! ```text
 //!   1000 |            ,'
@@ -22,7 +23,7 @@ pub fn draw_stress(cases: &[Case]) -> Chart {
     let groups = Group::value_variants().iter().map(|&group| (group, members(group)));
     let panels: Vec<Panel> =
         groups.filter(|(_, members)| !members.is_empty()).map(|(group, members)| panel(group, &members)).collect();
-    draw_panels("How far errors stay within their bounds", &panels, false)
+    draw_panels("Errors against their bounds", &panels, false)
 }
 
 fn panel(group: Group, cases: &[&Case]) -> Panel {

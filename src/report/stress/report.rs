@@ -120,11 +120,11 @@ fn summary(cases: &[Case]) -> String {
     let count = |verdict: Verdict| cases.iter().filter(|case| case.verdict() == verdict).count();
     let (holds, ends, fails) = (count(Verdict::Holds), count(Verdict::Ends), count(Verdict::Fails));
     let mut text = format!("\n{} cases: {holds} hold, {ends} end, {fails} fail\n", cases.len());
-    text += "  holds  the error stays within the bound wherever it was measured\n";
-    text += "  ends   it does in all of the promised range; the sweep found where it ends beyond\n";
-    text += "  FAILS  it does not in the promised range\n";
+    text += "  holds  the error stays within the bound at every step\n";
+    text += "  ends   the error stays within the bound in the promised range and exceeds it somewhere beyond\n";
+    text += "  FAILS  the error exceeds the bound in the promised range\n";
     text += "  worst and with: the largest error in the promised range and the input that made it\n";
-    text += "  ulp: units in the last place of f32, of which 1 is 5.4e8 of f64; ppm: of a million rays\n";
+    text += "  ulp: units in the last place of f32 (1 is 5.4e8 of f64); ppm: per million rays\n";
     text
 }
 

@@ -1,4 +1,4 @@
-//! The events of a traced pixel in words.
+//! The events of a traced pixel as sentences.
 
 use crate::choice::name_of;
 use crate::envmap::{Probe, VOrigin};
@@ -86,7 +86,7 @@ pub(super) fn light(scene: &Scene, number: usize, outcome: &LightOutcome) -> Str
     let name = format!("light {} ({})", number + 1, light_kind(scene, number));
     match outcome {
         LightOutcome::Ambient { contribution } => format!("{name}: unshadowed, + {}", colour(*contribution)),
-        LightOutcome::Unreached => format!("{name}: sends nothing here"),
+        LightOutcome::Unreached => format!("{name}: does not reach this point"),
         LightOutcome::Behind => format!("{name}: the surface faces away from it"),
         LightOutcome::Blocked { ray, distance } => {
             let by =

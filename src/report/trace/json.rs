@@ -1,4 +1,4 @@
-//! The rays of one pixel for machines: events in their order, those of a ray inside it.
+//! The rays of one pixel as JSON: events in order, those of a ray nested inside it.
 
 use serde_json::{Value, json};
 

@@ -1,4 +1,4 @@
-//! What `skycube trace` says.
+//! The report of `skycube trace`.
 
 mod events;
 mod json;

@@ -1,4 +1,4 @@
-//! What `skycube trace` says: the rays of one pixel as a tree, and how they add up.
+//! The report of `skycube trace`: the rays of one pixel as a tree, and their sum.
 
 use std::fmt;
 
@@ -60,7 +60,7 @@ impl TraceReport<'_> {
                 lines.extend(through_glass(transmittance));
                 lines
             }
-            Event::Nothing => vec!["hits nothing: nothing is added".to_owned()],
+            Event::Nothing => vec!["hits nothing: no contribution".to_owned()],
             Event::Hit { ref surface, side, shading_normal, distance, cosine, transmittance } => {
                 let mut lines: Vec<String> =
                     hit(scene, surface, side, shading_normal, distance, cosine).into_iter().collect();
@@ -142,7 +142,7 @@ fn ray_line(kind: RayKind, origin: crate::math::DVec3, direction: crate::math::D
 }
 
 fn through_glass(transmittance: Vec3) -> Option<String> {
-    (transmittance != Vec3::ONE).then(|| format!("through glass: x {} of what follows", colour(transmittance)))
+    (transmittance != Vec3::ONE).then(|| format!("through glass: x {} for the rest of the ray", colour(transmittance)))
 }
 
 /// How a ray is sent on, or not.
@@ -164,8 +164,8 @@ fn branch_line(event: &Event) -> String {
             format!("{}: not followed, share {weight} of the pixel, by a random decision", ray_name(kind))
         }
         Event::Scattered { specular, transmitted, density, weight } => {
-            let how = if transmitted { "goes on through the surface" } else { "goes on, reflected" };
-            let lobe = if specular { "in its one direction, probability" } else { "at random, density" };
+            let how = if transmitted { "continues through the surface" } else { "continues, reflected" };
+            let lobe = if specular { "in its single direction, probability" } else { "at random, density" };
             format!("{how}, {lobe} {density:.6}, x {}", colour(weight))
         }
         _ => String::new(),

@@ -1,4 +1,4 @@
-//! The binary tree from which the hierarchy is made.
+//! The binary tree that becomes the hierarchy.
 
 use obvhs::aabb::Aabb;
 use obvhs::bvh2::Bvh2;
@@ -16,7 +16,7 @@ pub const LEAF_CAPACITY: usize = 4;
 const REINSERTED: f32 = 0.05;
 
 /// The same once leaves are made. Half of the nodes would make the build of a million triangles 1.6 times as long (1.05
-/// instead of 0.64 s), for no ray a second more: measured side by side, within 2 % either way.
+/// instead of 0.64 s), for no more rays per second: measured side by side, within 2 % either way.
 const REINSERTED_AFTER: f32 = 0.1;
 
 /// Cost of testing a node, in tests of a leaf's primitive: large, because a leaf is tested as a whole.
@@ -107,7 +107,7 @@ impl BinaryTree {
         order
     }
 
-    /// Inner nodes on the longest way from the root to a leaf, counted without recursion.
+    /// Inner nodes on the longest path from the root to a leaf, counted without recursion.
     pub(super) fn depth(&self) -> usize {
         let mut deepest = 0;
         let mut open = if self.nodes.is_empty() { vec![] } else { vec![(0, 0)] };

@@ -6,7 +6,7 @@ use super::merge::Merge;
 use super::node::Node;
 use crate::memory::on_large_pages;
 
-/// Nodes on the longest way from the root down; deeper trees are replaced by a balanced one.
+/// The most nodes on a path from the root; deeper trees are replaced by a balanced one.
 pub(super) const DEPTH_LIMIT: usize = 32;
 
 /// Binary trees deeper than this are not even merged (and cannot exhaust the recursion).

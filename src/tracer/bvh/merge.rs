@@ -8,7 +8,7 @@ type Costs = [f32; WIDTH];
 
 /// The merging of a binary tree into the nodes and leaves of a hierarchy.
 ///
-/// A wide node holds some binary nodes below another, chosen such that a random ray visits the fewest nodes:
+/// A wide node holds some binary nodes below another, chosen so that a random ray visits the fewest nodes:
 ///
 /// ```text
 ///          a                      With room for 4 below `a`: b, f, g, e,

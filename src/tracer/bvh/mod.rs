@@ -1,21 +1,21 @@
-//! A BVH (bounding volume hierarchy): finds the few things a ray may hit among very many.
+//! A BVH (bounding volume hierarchy): finds the few shapes that a ray may hit among very many.
 //!
-//! There are two. Read [`TextbookHierarchy`] first: one file, the text of lesson 10. The other, [`Hierarchy`], finds the
-//! same and is fast.
+//! There are two. Read [`TextbookHierarchy`] first: one file, the text of lesson 10. The other, [`Hierarchy`], finds
+//! the same hits faster.
 //!
-//! It is built over boxes and knows no shape. What it finds are leaves, small sets of neighbouring boxes; the caller
-//! looks at what is inside them. It never passes over a leaf whose box the ray touches, whatever the rounding.
+//! It is built over boxes and does not know the shapes. It finds leaves, small sets of neighbouring boxes; the caller
+//! tests the shapes inside them. It never misses a leaf whose box the ray touches, despite rounding.
 //!
 //! The binary tree comes from the crate `obvhs`; its nodes are then merged to eight children each, whose boxes two
-//! sequences of four-wide instructions test. Rays wait for memory more than they compute, so what counts is how many
-//! nodes they visit one after the other: the four lines of a node come at the same time.
+//! sequences of four-wide instructions test. Traversal waits for memory more than it computes, so the number of nodes
+//! that a ray visits in sequence decides: the four cache lines of a node arrive at the same time.
 //!
-//! Measured side by side, with the same rays through a million triangles, one thread: how many times as many rays a
-//! second as with four children a node, merged by area, whose leaves were not fetched ahead.
+//! Speed-up in rays per second over four children per node, merged by area, without prefetched leaves; measured side by
+//! side with the same rays through a million triangles on one thread.
 //!
 //! ```text
 //!                                            camera    random, from inside
-//!     four children, leaves fetched ahead,     1.02       1.06
+//!     four children, leaves prefetched,        1.02       1.06
 //!       merged at the least cost
 //!     the same, boxes in bytes, 64 bytes       0.80       1.06
 //!     eight children, boxes in bytes, 128      0.85       1.28

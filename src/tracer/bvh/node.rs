@@ -46,7 +46,7 @@ impl Child {
         Self(bits)
     }
 
-    /// The index of the node, if it is no leaf.
+    /// The index of the node, unless it is a leaf.
     pub(super) fn node_index(self) -> usize {
         self.0 as usize
     }

@@ -1,4 +1,4 @@
-//! A ray made ready for testing boxes in single precision without ever missing one.
+//! A ray prepared for conservative box tests in single precision.
 
 use super::FloatBox;
 use crate::math::DVec3;
@@ -44,7 +44,7 @@ pub struct HierarchyRay {
 }
 
 impl HierarchyRay {
-    /// Prepares a ray; `None` if it misses the box around everything, or is no ray (zero or not finite).
+    /// Prepares a ray; `None` if it misses the box around everything, or is not a ray (zero or not finite).
     #[inline]
     pub fn new(bounds: &FloatBox, origin: DVec3, direction: DVec3) -> Option<Self> {
         let scale = direction.abs().max_element();

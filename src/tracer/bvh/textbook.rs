@@ -1,7 +1,8 @@
-//! A BVH (bounding volume hierarchy) to read: the one of lesson 10, in one file.
+//! The textbook BVH (bounding volume hierarchy) of lesson 10, in one file.
 //!
-//! Each node of the binary tree has the box around everything below it: a ray that misses the box misses all of that. The
-//! nodes lie in one list, parents before their children; leaves are ranges of `order`, the list of the shapes' numbers.
+//! Each node of the binary tree has a box around everything below it: a ray that misses the box misses the whole
+//! subtree. The nodes lie in one list, parents before their children; leaves are ranges of `order`, the list of the
+//! shapes' numbers.
 //!
 //! ```text
 //!     +-0----------------------+          0
@@ -13,9 +14,10 @@
 //!     +------------------------+
 //! ```
 //!
-//! Boxes around shapes, with slabs to test them: Kay, Kajiya: "Ray Tracing Complex Scenes", SIGGRAPH 1986. The cost of a
-//! tree: Goldsmith, Salmon: "Automatic Creation of Object Hierarchies for Ray Tracing", IEEE CG&A 1987. To read on:
-//! Pharr, Jakob, Humphreys: "Physically Based Rendering", 4th ed., 7.3; Shirley: "Ray Tracing: The Next Week", 3.
+//! Boxes around shapes, with slabs to test them: Kay, Kajiya: "Ray Tracing Complex Scenes", SIGGRAPH 1986. The cost of
+//! a tree: Goldsmith, Salmon: "Automatic Creation of Object Hierarchies for Ray Tracing", IEEE CG&A 1987. Further
+//! reading: Pharr, Jakob, Humphreys: "Physically Based Rendering", 4th ed., 7.3; Shirley: "Ray Tracing: The Next Week",
+//! 3.
 
 use crate::math::{Bounds, DVec3};
 

@@ -1,4 +1,4 @@
-//! Walking down the hierarchy along a ray, nearest boxes first.
+//! Traversal of the hierarchy along a ray, nearest boxes first.
 
 use std::mem::MaybeUninit;
 

@@ -1,4 +1,4 @@
-//! Magma: a colour map whose lightness grows evenly, for heat maps (van der Walt and Smith, 2015, CC0).
+//! Magma: a colour map of uniformly increasing lightness, for heat maps (van der Walt and Smith, 2015, CC0).
 
 /// Every sixteenth of the range, sRGB-encoded.
 const MAGMA: [[u8; 3]; 17] = [

@@ -3,7 +3,7 @@
 use super::{encode_srgb, encode_srgb8, luminance};
 use crate::math::Vec3;
 
-/// How radiance above 1 is brought into range before it is sRGB-encoded.
+/// How radiance above 1 is mapped into range before it is sRGB-encoded.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum ToneMap {

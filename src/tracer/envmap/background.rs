@@ -1,4 +1,4 @@
-//! Backgrounds that need no cube: gradient and equirectangular picture.
+//! Environments without a cube: gradient and equirectangular picture.
 
 use super::axis::SignedAxis;
 use super::lazy_image::LazyImage;

@@ -1,4 +1,4 @@
-//! What a ray sees that hits nothing.
+//! The environment: the radiance of rays that hit nothing.
 
 use super::background::{Equirectangular, Gradient};
 use super::cube_map::CubeMap;

@@ -1,4 +1,4 @@
-//! Whether a lookup shows its pictures mirrored: that follows from the table alone.
+//! Handedness: whether a lookup mirrors its pictures. It follows from the table alone.
 
 use super::face::Face;
 use super::lookup::{Lookup, VOrigin};

@@ -1,4 +1,4 @@
-//! A picture that is decoded when first looked at.
+//! A picture that is decoded at its first use.
 
 use std::sync::OnceLock;
 
@@ -46,7 +46,7 @@ impl LazyImage {
         self.decoded.get_or_init(|| (self.decoder)()).as_ref().map_err(Clone::clone)
     }
 
-    /// True once somebody has looked at the picture.
+    /// True once the picture is in use.
     pub fn looked_at(&self) -> bool {
         self.decoded.get().is_some()
     }

@@ -1,8 +1,8 @@
-//! The eight ways to lay a square picture.
+//! The eight orientations of a square picture.
 //!
-//! An orientation is named by the texture coordinates it reads, (u', v') as functions of those the lookup computes: one of
-//! `u`, `1-u` and one of `v`, `1-v`, in either order. Mending the code computes (u', v') instead of (u, v); mending
-//! the file applies the picture operation of the same effect once.
+//! An orientation is named by the texture coordinates it reads, (u', v') as functions of those the lookup computes: one
+//! of `u`, `1-u` and one of `v`, `1-v`, in either order. A repair of the code computes (u', v') instead of (u, v); a
+//! repair of the file applies the equivalent picture operation once.
 
 use super::axis::SignedAxis;
 use super::lookup::{FaceLookup, VOrigin};

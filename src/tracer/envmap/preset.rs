@@ -1,4 +1,4 @@
-//! The lookup tables that have a name.
+//! The named lookup tables.
 
 use clap::ValueEnum;
 
@@ -7,7 +7,7 @@ use super::face::Face;
 use super::lookup::{FaceLookup, Lookup, VOrigin};
 use crate::choice::name_of;
 
-/// A named lookup table of `conventions.md`.
+/// A named lookup table, see `conventions.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 #[value(rename_all = "kebab-case")]

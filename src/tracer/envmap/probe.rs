@@ -1,4 +1,4 @@
-//! The lookup of one direction step by step, with every number on the way.
+//! The lookup of one direction step by step, with every intermediate number.
 
 use super::cube_map::{CubeFilter, CubeMap};
 use super::face::Face;
@@ -56,8 +56,9 @@ impl Probe {
     /// be decoded.
     pub fn new(map: &CubeMap, direction: Vec3) -> Result<Self> {
         if !direction.is_finite() || direction == Vec3::ZERO {
-            return Err(Error::new(format!("{direction} points nowhere"))
-                .expected("three finite numbers, not all of them zero"));
+            return Err(
+                Error::new(format!("{direction} has no direction")).expected("three finite numbers, not all zero")
+            );
         }
         let absolute = direction.abs();
         let largest = absolute.max_element();

@@ -109,11 +109,11 @@ impl<'a> Integrator<'a> {
         let mut items = self.lights.left_out(self.plan);
         let wing = match &self.wing {
             ReadyWing::Textbook => None,
-            ReadyWing::SideBySide(_) => Some("rays are traced side by side, to the same bits"),
+            ReadyWing::SideBySide(_) => Some("rays are traced side by side, with the same bits"),
             ReadyWing::Guided(guided) if guided.has_photons() => Some("photons guide paths, with the same mean"),
             ReadyWing::Guided(_) => Some("both branches of glass are followed, with the same mean"),
         };
-        items.extend(wing.map(|wing| format!("{wing}: the textbook's code is not used (--textbook renders with it)")));
+        items.extend(wing.map(|wing| format!("{wing}: the textbook code is not used (--textbook uses it)")));
         items
     }
 

@@ -1,10 +1,10 @@
 //! A diffuse base under a dielectric coat: plastic, varnish, glazed tiles.
 //!
-//! The coat reflects the share S(mu) at once. The rest reaches the base and leaves it in the distribution that lets
-//! nothing get lost and keeps reciprocity: `(1 - S(mu_o)) (1 - S(mu_i)) / (pi (1 - S_avg))` (Kelemen and
-//! Szirmay-Kalos, A Microfacet Based Coupled Specular-Matte BRDF Model, 2001). On its way out the base's light is
-//! thrown back by the coat from inside again and again, which makes the colour c darker and more saturated:
-//! `c (1 - F) / (1 - c F)`, with F the average reflectance of the coat from inside (Saunderson 1942).
+//! The coat reflects the share S(mu) at once. The rest reaches the base and leaves it in the distribution that
+//! conserves energy and reciprocity: `(1 - S(mu_o)) (1 - S(mu_i)) / (pi (1 - S_avg))` (Kelemen and Szirmay-Kalos, A
+//! Microfacet Based Coupled Specular-Matte BRDF Model, 2001). The coat reflects light of the base back inside
+//! repeatedly, which makes the colour c darker and more saturated: `c (1 - F) / (1 - c F)`, with F the average
+//! reflectance of the coat from inside (Saunderson 1942).
 
 use super::directional_table::DirectionalTable;
 use super::fresnel::boundary;

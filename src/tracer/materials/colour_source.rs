@@ -1,4 +1,4 @@
-//! Where a material's colour comes from.
+//! The source of a material's colour.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! How much light a smooth metal reflects.
+//! The reflectance of a smooth metal.
 
 use super::quadrature::integral;
 use crate::math::Vec3;

@@ -21,7 +21,7 @@ const PREDICTED: f64 = 5e-5;
 #[derive(Debug, Clone, PartialEq)]
 pub struct DirectionalTable {
     octaves: Octaves,
-    /// One value a node, one more than there are cells.
+    /// One value per node, one more than there are cells.
     values: Vec<f64>,
     /// Integral over all cosines, each weighted by `2 mu`: of the table as it is looked up, exact.
     average: f64,

@@ -60,7 +60,7 @@ pub enum Material {
         /// Microfacets of a rough surface; `None` for a smooth one.
         rough: Option<Arc<RoughGlass>>,
     },
-    /// A light source of its own: the same radiance in all directions on the front side, black behind. Reflects nothing.
+    /// A light source: the same radiance in all directions on the front side, black behind. Reflects nothing.
     Light {
         /// Linear RGB, unbounded.
         radiance: Vec3,
@@ -141,7 +141,7 @@ impl Material {
         matches!(self, Material::Glass { rough: None, .. })
     }
 
-    /// True if light is weakened on its way through.
+    /// True if the material attenuates light inside it.
     pub fn absorbs(&self) -> bool {
         matches!(self, Material::Glass { absorption, .. } if *absorption != Vec3::ZERO)
     }

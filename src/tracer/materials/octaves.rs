@@ -13,7 +13,7 @@ const ONE: u64 = 1.0_f64.to_bits();
 /// Cells over the cosines `[0, 1]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Octaves {
-    /// Inverse of a number not more than the roughness, such that the cosine 1 is the end of an octave.
+    /// Inverse of a number not more than the roughness, so that the cosine 1 is the end of an octave.
     inverse_scale: f64,
     /// Mantissa bits that number the cells of an octave.
     bits: u32,

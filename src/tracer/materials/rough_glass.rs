@@ -1,9 +1,9 @@
 //! The rough boundary of two dielectrics.
 //!
-//! Every microfacet reflects and refracts by Fresnel's equations (Walter et al., Microfacet Models for Refraction through
-//! Rough Surfaces, 2007), with height-correlated masking for both as in pbrt (Pharr, Jakob, Humphreys: Physically Based
-//! Rendering, 4th ed., 9.7). The light that is lost between microfacets is given back by further lobes, one on either
-//! side (after Kulla and Conty 2017): seen from side a, with the lost share `C_a(mu)` and its average `A_a`,
+//! Every microfacet reflects and refracts by Fresnel's equations (Walter et al., Microfacet Models for Refraction
+//! through Rough Surfaces, 2007), with height-correlated masking for both as in pbrt (Pharr, Jakob, Humphreys:
+//! Physically Based Rendering, 4th ed., 9.7). Further lobes, one on either side, restore the light that is lost between
+//! microfacets (after Kulla and Conty 2017): seen from side a, with the lost share `C_a(mu)` and its average `A_a`,
 //!
 //! ```text
 //!   reflected    (1 - k_ab) C_a(mu_o) C_a(mu_i) / (pi A_a)

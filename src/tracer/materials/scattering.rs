@@ -1,4 +1,4 @@
-//! What a surface does with light at one place: the scattering function (BSDF) and its sampling.
+//! Scattering at a surface point: the scattering function (BSDF) and its sampling.
 //!
 //! ```text
 //!        view      z = shading normal, on the viewer's side        view.z > 0 always;
@@ -10,8 +10,8 @@
 //!                    \ light, transmitted: light.z < 0
 //! ```
 //!
-//! Light is carried as basic radiance L / n^2, which refraction leaves as it is (Nicodemus 1963; Veach 1997, section
-//! 5.2). So transmission has no factor n^2: a furnace of radiance 1 is 1 inside of glass, too, and for directions a and b
+//! Light is carried as basic radiance L / n^2, which refraction does not change (Nicodemus 1963; Veach 1997, section
+//! 5.2). So transmission has no factor n^2: a furnace of radiance 1 is 1 inside glass, too, and for directions a and b
 //! on sides with the indices n_a and n_b reciprocity reads `n_a^2 f(a, b) = n_b^2 f(b, a)`.
 
 use super::coated::Coated;

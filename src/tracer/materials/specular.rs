@@ -1,4 +1,4 @@
-//! Delta lobes: light that goes on in exactly one direction, or two.
+//! Delta lobes: light that continues in exactly one direction, or two.
 
 use super::fresnel::{boundary, refract};
 use super::scattering_sample::ScatteringSample;

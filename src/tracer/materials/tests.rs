@@ -1,4 +1,4 @@
-//! The tables against quadratures that are as good as exact, on cosines that are no nodes.
+//! The tables against quadratures that are as good as exact, at cosines between the nodes.
 
 use super::conductor::MetalReflectance;
 use super::{Coat, Material, Metal, RoughGlass};

@@ -1,7 +1,7 @@
 //! Elementary functions with the same result on every machine.
 //!
-//! The standard library hands `sin`, `pow` and their kin to the C library of the machine, whose last bit differs from
-//! one system to the next. These are computed in software by the `libm` crate, so pictures agree byte for byte.
+//! The standard library delegates `sin`, `pow` and the like to the C library of the machine, whose last bit differs
+//! between systems. The `libm` crate computes them in software, so pictures agree byte for byte.
 
 /// Sine of an angle in radians.
 pub fn sin(angle: f64) -> f64 {

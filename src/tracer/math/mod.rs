@@ -1,4 +1,4 @@
-//! Vectors, rays, transforms and the elementary functions everything else is computed with.
+//! Vectors, rays, transforms and elementary functions.
 //!
 //! Geometry is `f64` ([`DVec3`]), light and colour are `f32` ([`Vec3`]).
 

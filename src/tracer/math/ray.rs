@@ -1,4 +1,4 @@
-//! A ray, and what it knows of the surface it starts on.
+//! A ray, and the surface it starts on.
 
 use super::DVec3;
 

@@ -16,8 +16,8 @@ impl Transform {
     /// The map that changes nothing.
     pub const IDENTITY: Self = Self { to_world: DAffine3::IDENTITY, to_object: DAffine3::IDENTITY };
 
-    /// Scales along the shape's axes, then rotates about x, y and z in this order (degrees, right-handed),
-    /// then translates. `None` if a scale is zero or anything is not finite: such a map has no inverse.
+    /// Scales along the shape's axes, then rotates about x, y and z in this order (degrees, right-handed), then
+    /// translates. `None` if a scale is zero or a number is not finite: the transform then has no inverse.
     pub fn from_parts(translate: DVec3, rotate_degrees: DVec3, scale: DVec3) -> Option<Self> {
         let linear = rotation_z(rotate_degrees.z)
             * rotation_y(rotate_degrees.y)

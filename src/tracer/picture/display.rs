@@ -1,4 +1,4 @@
-//! Pictures as drawings hold them: four bytes a pixel, red, green, blue and opacity.
+//! Pictures for drawings: four bytes per pixel, red, green, blue and opacity.
 
 use super::Raster;
 use crate::colour::{Encoding, ToneMap};

@@ -44,7 +44,7 @@ pub struct Extras<'a> {
 #[derive(Debug, Clone, Copy)]
 pub struct SideLayer<'a> {
     pub name: &'a str,
-    /// Names of the components that are written, such as `["X", "Y", "Z"]`; one to three.
+    /// Names of the written components, for instance `["X", "Y", "Z"]`; one to three.
     pub channels: &'a [&'a str],
     pub raster: &'a Raster,
 }
@@ -59,7 +59,7 @@ pub fn write_with(raster: &Raster, path: &Path, options: &WriteOptions, extras: 
     let format = OutputFormat::of_path(path)?;
     check_target(path)?;
     if format != OutputFormat::Exr && !extras.layers.is_empty() {
-        return Err(Error::new("this format holds no layers").in_file(path).expected("the extension .exr"));
+        return Err(Error::new("this format has no layers").in_file(path).expected("the extension .exr"));
     }
     let encoded = match format {
         OutputFormat::Exr => encode_exr(raster, extras.layers, extras.remark),

@@ -1,8 +1,8 @@
-//! Whether the coded data of a JPEG file are whole.
+//! Checks that the coded data of a JPEG file are complete.
 //!
-//! The decoder fills what is missing with the last colour and reads on behind a hole, and says nothing. So the data are walked
-//! through once more, without computing a pixel (ITU-T T.81, annexes F and G): every block must decode, none may remain, and
-//! nothing may be left over. A file of a kind that this does not know is left to the decoder.
+//! The decoder silently fills missing data with the last colour and continues after a gap. So this pass walks through
+//! the data once more, without computing a pixel (ITU-T T.81, annexes F and G): every block must decode, none may
+//! remain, and nothing may be left over. Unknown variants of JPEG are left to the decoder.
 
 use std::ops::ControlFlow;
 
@@ -240,7 +240,7 @@ impl Scan<'_> {
         }
         let left_over = self.bits.left_over();
         Some(match left_over > MOST_LEFT_OVER || self.end_of_band > 0 {
-            true => ControlFlow::Break("its data do not fit its size: bytes are missing or were changed".to_owned()),
+            true => ControlFlow::Break("its data do not match its size: bytes are missing or were changed".to_owned()),
             false => ControlFlow::Continue(self.bits.position - self.bits.unread()),
         })
     }

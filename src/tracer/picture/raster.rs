@@ -1,4 +1,4 @@
-//! The float raster: what renders are made in and float files hold.
+//! The float raster of renderings and float files.
 
 use crate::math::Vec3;
 

@@ -1,4 +1,4 @@
-//! Rasters made larger and smaller by whole factors.
+//! Rasters enlarged and reduced by integer factors.
 
 use super::Raster;
 use crate::math::Vec3;

@@ -1,4 +1,4 @@
-//! A picture as its file holds it, decoded but not converted: 8-bit files stay 8 bits a channel.
+//! A picture as its file holds it, decoded but not converted: 8-bit files stay 8 bits per channel.
 
 use super::{Header, Raster};
 use crate::colour::{SRGB8_TO_LINEAR, decode_srgb8};

@@ -1,4 +1,4 @@
-//! A picture laid over the unit square.
+//! A picture over the unit square of texture coordinates.
 
 use std::sync::Arc;
 

@@ -1,4 +1,4 @@
-//! The film of a picture: what the samples of its pixels add up to.
+//! The film of a picture: the sums of the samples of its pixels.
 
 use super::layers::{LayerSums, Layers};
 use crate::integrators::{FirstHit, RayCounts};

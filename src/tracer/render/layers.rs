@@ -1,4 +1,4 @@
-//! Layers beside the picture: what denoisers and curious people want to know of every pixel.
+//! Layers beside the picture, for denoisers and inspection: normal, albedo, depth and variance.
 
 use crate::integrators::FirstHit;
 use crate::math::{DVec3, Vec3};

@@ -1,4 +1,4 @@
-//! What an axis shot sees of a map, without a scene around it.
+//! The axis shot of a map, without a scene.
 
 use super::AxisShot;
 use crate::envmap::{CubeMap, SignedAxis};

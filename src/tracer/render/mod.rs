@@ -1,4 +1,4 @@
-//! From a scene to a picture: rows on all cores, the same bytes whatever their number.
+//! From a scene to a picture: rows on all cores, the same bytes for any number of them.
 
 mod axis_shots;
 mod bake;

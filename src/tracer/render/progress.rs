@@ -1,4 +1,4 @@
-//! How a rendering reports on its way.
+//! Progress reports of a rendering.
 
 /// Told by the renderer how far it is; asked by it whether to stop.
 pub trait Progress: Sync {

@@ -1,4 +1,4 @@
-//! Progressive rendering: the whole picture soon, then better and better.
+//! Progressive rendering: the whole picture early, then more samples.
 
 use std::time::{Duration, Instant};
 
@@ -10,13 +10,13 @@ use crate::error::{Error, Result};
 /// When a progressive rendering is finished.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Budget {
-    /// After so many samples a pixel.
+    /// The number of samples per pixel.
     Samples(u32),
     /// After so much time, with at least one sample.
     Time(Duration),
 }
 
-/// The most samples a pixel, whatever the time.
+/// The most samples per pixel, whatever the time.
 const MOST_SAMPLES: u32 = 1 << 24;
 
 /// Renders in passes until the budget is spent. Asked to stop by `progress`, gives the picture so far, marked as

@@ -43,19 +43,19 @@ impl<'a> Renderer<'a> {
         Ok(Self { sampler, film, keeps, samples: 0 })
     }
 
-    /// The same picture with noise of its own. Before the first sample.
+    /// The same picture with other noise. Only before the first sample.
     pub fn seeded(mut self, seed: u32) -> Self {
         self.sampler.sampling.seed = seed;
         self
     }
 
-    /// From now on every sample has a place of its own in the pixel, even if there is only one.
+    /// From now on every sample has a random place in the pixel, even a single one.
     pub fn scattered(mut self) -> Self {
         self.sampler.centred = false;
         self
     }
 
-    /// Samples a pixel so far.
+    /// Samples per pixel so far.
     pub fn samples(&self) -> u32 {
         self.samples
     }

@@ -1,4 +1,4 @@
-//! Pixel filters: how much of the picture around a pixel's middle it shows.
+//! Pixel filters: the weights of the picture around a pixel's centre.
 //!
 //! ```text
 //!      box            tent          Gaussian        Mitchell

@@ -2,7 +2,7 @@
 
 use super::PixelFilter;
 
-/// How the numbers that drive a picture are chosen.
+/// The sampler: the source of the numbers that drive a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum SamplerKind {
@@ -61,7 +61,7 @@ impl PixelSampler {
         sobol_burley::sample(self.index, dimension % sobol_burley::NUM_DIMENSIONS, self.seed_of(block))
     }
 
-    /// The next four coordinates, from the next whole set of four: what is left of a set begun is passed over.
+    /// The next four coordinates, from the next whole set of four: the rest of a set already begun is skipped.
     #[inline]
     pub fn four(&mut self) -> [f32; 4] {
         let set = self.dimension.div_ceil(4);
@@ -95,7 +95,7 @@ pub struct RowSampler {
 impl Sampling {
     /// Sample number `index` of the pixels in row `y`.
     pub fn row(&self, y: usize, index: u32) -> RowSampler {
-        // The crate has 2^16 points; each further block of as many gets a scramble of its own.
+        // The crate has 2^16 points; each further block of 2^16 gets another scramble.
         let (block, index) = (index >> 16, index & 0xffff);
         let picture = hash(block ^ hash(self.seed));
         RowSampler { kind: self.sampler, seed: hash(y as u32 ^ picture), index }

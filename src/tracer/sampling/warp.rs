@@ -1,4 +1,4 @@
-//! From uniform numbers to points on discs and places among weights.
+//! Warps of uniform numbers to points on discs and indices among weights.
 
 use crate::math::DVec2;
 use crate::math::functions::sin_cos_turns;
@@ -17,7 +17,8 @@ pub fn concentric_disc([a, b]: [f64; 2]) -> DVec2 {
     DVec2::new(radius * cosine, radius * sine)
 }
 
-/// Which of `count` weights laid end to end a number falls into, and how far: the last one for numbers beyond all.
+/// The index of the weight, of `count` in a row, that a number falls into, and the position in it; the last index for
+/// numbers beyond all.
 #[inline(always)]
 pub fn among_weights(count: usize, weight: impl Fn(usize) -> f64, number: f64) -> (usize, f64) {
     let (mut chosen, mut left) = (0, number);

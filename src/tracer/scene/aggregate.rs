@@ -1,4 +1,4 @@
-//! All shapes of a scene, and the way to find those a ray meets.
+//! All shapes of a scene, and the search for those that a ray hits.
 
 use super::boxed_shapes::BoxedShapes;
 use crate::materials::MediumStack;
@@ -205,7 +205,7 @@ impl Aggregate {
         self.counts::<SHADOWING>(shape) && self.primitives[shape as usize].occludes(ray, shape, limit)
     }
 
-    /// Of glasses inside of one another those whose inside the ray meets ahead.
+    /// Of glasses inside one another those whose inside the ray meets ahead.
     ///
     /// Where the surfaces of two glasses coincide, rounding may have the ray enter the second before it leaves the first,
     /// and start past the first one's surface, which is then never met:

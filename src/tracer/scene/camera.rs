@@ -10,7 +10,7 @@ use crate::sampling::Sampling;
 /// The largest picture side in pixels.
 pub const MAXIMUM_SIDE: u32 = 65_536;
 
-/// The camera, its samples a pixel, and how they are chosen.
+/// The camera, its samples per pixel, and how they are chosen.
 pub(super) fn read(mut table: Table) -> Result<(Camera, u32, Sampling)> {
     let (camera, samples) = (read_camera(&mut table)?, read_samples(&mut table)?);
     let sampling = read_sampling(&mut table)?;
@@ -42,7 +42,7 @@ fn read_lens(table: &mut Table, to_target: f64) -> Result<Option<Lens>> {
     let Some(aperture) = table.optional("aperture") else {
         return match table.optional("focus") {
             Some(focus) => {
-                Err(focus.error("a pinhole has everything in focus").help("add camera.aperture, the lens's diameter"))
+                Err(focus.error("a pinhole has no focus distance").help("add camera.aperture, the lens's diameter"))
             }
             None => Ok(None),
         };
@@ -67,7 +67,7 @@ fn read_camera(table: &mut Table) -> Result<Camera> {
         Some(size) => {
             let sides = size.list()?;
             let [width, height] = sides.as_slice() else {
-                return Err(size.error(format!("found a list of {}", sides.len())).expected("[width, height]"));
+                return Err(size.error(format!("found a list of length {}", sides.len())).expected("[width, height]"));
             };
             [width.integer(1..=MAXIMUM_SIDE)? as usize, height.integer(1..=MAXIMUM_SIDE)? as usize]
         }
@@ -77,7 +77,7 @@ fn read_camera(table: &mut Table) -> Result<Camera> {
     let camera = Camera::look_at(position, target, up, field_of_view, size).ok_or_else(|| {
         table
             .error("the camera's orientation is undefined")
-            .expected("a target away from the position, and an up that is not along the view")
+            .expected("a target away from the position, and an up that is not parallel to the view")
     })?;
     Ok(camera.with_lens(lens))
 }

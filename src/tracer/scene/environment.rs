@@ -34,7 +34,7 @@ pub(super) fn read(table: Option<Table>, map_override: Option<PathBuf>) -> Resul
     let kind: Kind = table.required("kind")?.choice()?;
     if map_override.is_some() && matches!(kind, Kind::Constant | Kind::Gradient) {
         return Err(table
-            .error("this environment has no map that could be replaced")
+            .error("this environment has no map to replace")
             .expected("kind = \"cube-map\" or kind = \"equirectangular\""));
     }
     let (kind, files) = match kind {
@@ -112,11 +112,11 @@ fn read_skybox(table: &mut Table, map_override: Option<PathBuf>) -> Result<Skybo
             named.finish()?;
             Skybox::from_files(&files).map_err(|error| faces.error(error.to_string()))
         }
-        _ => Err(table.error("no single source of pictures").expected("either \"map\" or \"faces\"")),
+        _ => Err(table.error("there must be one source of pictures").expected("either \"map\" or \"faces\"")),
     }
 }
 
-/// Reads a lookup table from a file of its own, with the keys of `[environment.lookup]` at its top level.
+/// Reads a lookup table from a separate file, with the keys of `[environment.lookup]` at its top level.
 pub fn read_lookup_file(file: &Path) -> Result<Lookup> {
     let document = Document::read(file)?;
     let parsed = document.parse()?;

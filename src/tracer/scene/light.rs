@@ -51,7 +51,7 @@ fn read_spot(table: &mut Table) -> Result<Light> {
 }
 
 fn direction(value: &Value) -> Result<DVec3> {
-    value.vector()?.try_normalize().ok_or_else(|| value.error("a direction needs a length"))
+    value.vector()?.try_normalize().ok_or_else(|| value.error("a direction must not be zero"))
 }
 
 fn falloff(table: &mut Table) -> Result<Falloff> {

@@ -22,7 +22,7 @@ use crate::shapes::Primitive;
 #[derive(Debug)]
 pub struct Scene {
     pub camera: Camera,
-    /// Samples a pixel.
+    /// Samples per pixel.
     pub samples: u32,
     /// How the samples are chosen.
     pub sampling: Sampling,
@@ -56,7 +56,7 @@ impl Scene {
         Self::from_document(&Document::new(file, text), file, None)
     }
 
-    /// A scene without shapes or lights: every ray takes the environment. One sample a pixel.
+    /// A scene without shapes or lights: every ray takes the environment. One sample per pixel.
     pub fn of_environment(environment: Environment, camera: Camera) -> Self {
         Self {
             camera,
@@ -82,7 +82,7 @@ impl Scene {
         let output = OutputSettings::read(optional_table(&mut root, "output")?)?;
         if map_override.is_some() && !root.has("environment") {
             return Err(root
-                .error("there is no environment whose map could be replaced")
+                .error("there is no environment map to replace")
                 .expected("an [environment] table of kind \"cube-map\" or \"equirectangular\""));
         }
         let surroundings = environment::read(optional_table(&mut root, "environment")?, map_override)?;

@@ -101,7 +101,7 @@ fn read_metal(table: &mut Table, shown: bool) -> Result<Material> {
         (None, None, Some(colour)) => MetalReflectance::Schlick { normal: uniform_reflectance(&colour)? },
         _ => {
             return Err(table
-                .error("no single description of the metal")
+                .error("there must be one description of the metal")
                 .expected("either \"metal\", or \"index\" and \"extinction\", or \"reflectance\""));
         }
     };
@@ -174,12 +174,12 @@ fn reflectance(value: &Value, textures: &mut TextureStore) -> Result<ColourSourc
         (None, Some(checker)) => {
             let colours = checker.list()?;
             let [even, odd] = colours.as_slice() else {
-                return Err(checker.error(format!("found a list of {}", colours.len())).expected("two colours"));
+                return Err(checker.error(format!("found a list of length {}", colours.len())).expected("two colours"));
             };
             let (even, odd) = (uniform_reflectance(even)?, uniform_reflectance(odd)?);
             ColourSource::Checker(Checker { even, odd, repeat })
         }
-        _ => return Err(table.error("no single source of colour").expected("either \"image\" or \"checker\"")),
+        _ => return Err(table.error("there must be one source of colour").expected("either \"image\" or \"checker\"")),
     };
     table.finish()?;
     Ok(source)

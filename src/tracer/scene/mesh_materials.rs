@@ -116,7 +116,7 @@ impl<'a> Conversion<'a> {
     /// A colour of the file as a reflectance: linear, and at most 1.
     fn reflectance(&mut self, colour: Vec3, key: &str, described: &ObjMaterial) -> Vec3 {
         if colour.max_element() > 1.0 || colour.min_element() < 0.0 {
-            self.is_unused(&format!("what of {key} is not from 0 to 1"), described);
+            self.is_unused(&format!("{key} outside 0 to 1"), described);
         }
         let colour = colour.clamp(Vec3::ZERO, Vec3::ONE);
         match self.colours {

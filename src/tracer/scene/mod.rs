@@ -1,4 +1,4 @@
-//! A scene: everything a picture is computed from, read from TOML.
+//! A scene: the complete input of a rendering, read from TOML.
 
 mod aggregate;
 mod boxed_shapes;

@@ -1,4 +1,4 @@
-//! The plan: what a scene needs, and what is left out because it does not need it.
+//! The plan: what a scene needs, and what the renderer leaves out.
 
 use super::load::Scene;
 use super::settings::{Caustics, HierarchyChoice, IntegratorKind, Strategy};
@@ -40,17 +40,17 @@ pub struct Plan {
     pub shadow_rays: bool,
     /// How the path tracer finds light sources with an extent.
     pub strategy: Strategy,
-    /// The path tracer sends rays to light sources with an extent: there are such, and surfaces that are not all mirrors
+    /// The path tracer samples light sources with an extent: the scene has some, and surfaces that are not all mirrors
     /// and smooth glass.
     pub light_sampling: bool,
     /// Tables are built that draw directions by the brightness of the environment.
     pub environment_sampling: bool,
     /// There are mirrors, smooth metal or smooth glass, which can focus light.
     pub focuses: bool,
-    /// A photon pass learns where mirrors and glass focus light: there are such, and surfaces to show it. (Left out after
-    /// all if no light source is small and bright.)
+    /// A photon pass finds the light that mirrors and glass focus: the scene has both, and surfaces to show it. (Left
+    /// out after all if no light source is small and bright.)
     pub caustics: bool,
-    /// The path tracer follows both branches of smooth glass that the camera sees: there is such glass.
+    /// The path tracer follows both branches at smooth glass seen by the camera: the scene has smooth glass.
     pub branches: bool,
     /// The code that renders.
     pub wing: Wing,
@@ -58,7 +58,7 @@ pub struct Plan {
     pub reflection: bool,
     /// Rays are followed through surfaces: there is glass.
     pub refraction: bool,
-    /// Light is weakened on its way through glass: some glass absorbs.
+    /// Glass attenuates light: some glass absorbs.
     pub absorption: bool,
     /// A hierarchy over the shapes was built.
     pub hierarchy: bool,
@@ -123,21 +123,21 @@ impl Plan {
     /// What only the path tracer could do and leaves out.
     fn left_out_by_path(&self, scene: &Scene, item: &mut impl FnMut(bool, &str)) {
         let ambient = scene.lights.iter().any(|light| !light.casts_shadows());
-        item(ambient, "ambient light: it stands in for the light between surfaces, which is computed");
+        item(ambient, "ambient light: the light between surfaces, for which it stands, is computed");
         let no_depth = scene.integrator.depth == 0;
         let reason = match self.strategy {
             _ if no_depth => "depth 0",
             Strategy::Bsdf => "strategy bsdf",
-            _ => "no emissive shape, no environment, or nothing but mirrors and smooth glass",
+            _ => "no emissive shape, no environment, or only mirrors and smooth glass",
         };
-        item(!self.light_sampling, &format!("{reason}: no rays sent to lights with an extent"));
+        item(!self.light_sampling, &format!("{reason}: no shadow rays to area lights and environment"));
         item(self.light_sampling && !self.environment_sampling, "black environment: no tables to sample it");
         let reason = match scene.integrator.caustics {
             _ if no_depth => "depth 0",
             Caustics::Off => "caustics off",
-            Caustics::Auto if !self.light_sampling => "no rays sent to lights with an extent",
+            Caustics::Auto if !self.light_sampling => "no shadow rays to area lights and environment",
             Caustics::Auto if !scene.integrator.fast && self.focuses => "textbook only",
-            Caustics::Auto => "no mirror and no smooth glass beside other surfaces",
+            Caustics::Auto => "no mirrors or smooth glass beside other surfaces",
         };
         item(!self.caustics, &format!("{reason}: no photon pass"));
     }
@@ -154,12 +154,12 @@ impl Plan {
         item(normals, "normals only: no light, no environment, no secondary rays");
         if !normals {
             let (lights, consequence) = match self.integrator {
-                IntegratorKind::Path => ("no point, spot or directional light", "no rays to any"),
+                IntegratorKind::Path => ("no point, spot or directional light", "no shadow rays to them"),
                 _ => ("no lights", "no direct light, no shadow rays"),
             };
-            let reason = if scene.lights.is_empty() { lights } else { "nothing that lights shade" };
+            let reason = if scene.lights.is_empty() { lights } else { "only surfaces that lights do not shade" };
             item(!self.direct_light, &format!("{reason}: {consequence}"));
-            item(self.direct_light && !self.shadow_rays, "nothing that could be shadowed: no shadow rays");
+            item(self.direct_light && !self.shadow_rays, "nothing can be in shadow: no shadow rays");
             if self.integrator == IntegratorKind::Path {
                 self.left_out_by_path(scene, &mut item);
             }
@@ -168,8 +168,8 @@ impl Plan {
             item(local, &format!("{reason}: no reflected or refracted rays"));
             item(!local && !self.reflection, "no mirror and no glass: no reflected rays");
             item(!local && self.reflection && !self.refraction, "no glass: no refracted rays, no media");
-            item(self.refraction && !self.absorption, "clear glass only: no absorption");
-            item(!self.environment_map, "no environment picture: nothing decoded");
+            item(self.refraction && !self.absorption, "only clear glass: no absorption");
+            item(!self.environment_map, "no environment picture: nothing to decode");
         }
         item(self.reflection && !self.roulette, "weight cut-off 0: no random cuts");
         let count = scene.shapes.primitives().len();

@@ -9,28 +9,27 @@ use crate::error::Result;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntegratorSettings {
     pub kind: IntegratorKind,
-    /// Reflections and refractions followed at most from a camera ray.
+    /// The greatest number of reflections and refractions from a camera ray.
     pub depth: u32,
-    /// Rays that carry less than this share of the pixel are followed at random, the survivors weighted up: the
-    /// picture gains noise below this share but no bias. 0 follows all. The path tracer has a share of its own: for it only
-    /// 0 makes a difference.
+    /// Russian roulette for rays that carry less than this share of the pixel: some noise, no bias. 0 follows all rays.
+    /// The path tracer has another criterion and only distinguishes 0.
     pub weight_cutoff: f32,
     /// How the path tracer finds light.
     pub strategy: Strategy,
     /// Whether a photon pass tells the path tracer where glass and mirrors focus light.
     pub caustics: Caustics,
-    /// Faster code than the textbook's is used where it applies.
+    /// Whether faster code replaces the textbook where it applies.
     pub fast: bool,
     pub hierarchy: HierarchyChoice,
     /// A mistake made on purpose, for lessons.
     pub mistake: Option<Mistake>,
 }
 
-/// Mistakes that a lesson can ask for, to show how they look.
+/// Deliberate mistakes for lessons.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum Mistake {
     /// Shadow rays forget the surface they leave, and start where single precision puts them: a little above or below
-    /// it. From below they meet it again.
+    /// it. From below they hit it again.
     ShadowAcne,
 }
 
@@ -38,30 +37,30 @@ pub enum Mistake {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Strategy {
-    /// `mis`, but where the only light is a uniform sky `bsdf`: rays to its brightest parts are not worth their time.
+    /// `mis`, but `bsdf` where the only light is a uniform sky, for which shadow rays do not pay off.
     #[default]
     Auto,
-    /// Only where the material sends rays: good for large lights and sharp materials.
+    /// Directions sampled from the material only: good for large lights and sharp materials.
     Bsdf,
-    /// Only by rays to the light sources: good for small lights and diffuse materials.
+    /// Points sampled on the light sources only: good for small lights and diffuse materials.
     Light,
-    /// Both, weighted by how well each could have found the way (multiple importance sampling: Veach and Guibas,
-    /// Optimally Combining Sampling Techniques for Monte Carlo Rendering, 1995).
+    /// Both, weighted by the density with which each could have found the path (multiple importance sampling: Veach and
+    /// Guibas, Optimally Combining Sampling Techniques for Monte Carlo Rendering, 1995).
     Mis,
 }
 
-/// Whether light that glass and mirrors focus is searched for from its source.
+/// Whether a photon pass searches for light that glass and mirrors focus.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum Caustics {
-    /// Where the scene can have bright ones.
+    /// If the scene can have bright caustics.
     #[default]
     Auto,
-    /// Never: they are still found, by chance, with much noise.
+    /// Never: caustics are still found by chance, with much noise.
     Off,
 }
 
-/// Which hierarchy over more than a few shapes finds those that a ray meets; the picture is the same.
+/// The hierarchy over more than a few shapes; it does not change the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]
 pub enum HierarchyChoice {
     /// The fast one.
@@ -69,11 +68,11 @@ pub enum HierarchyChoice {
     Auto,
     /// The one of lesson 10.
     Textbook,
-    /// None: every ray tries every shape.
+    /// None: every ray is tested against every shape.
     Off,
 }
 
-/// The ways to compute a picture.
+/// The integrators.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
 #[serde(rename_all = "lowercase")]
 pub enum IntegratorKind {

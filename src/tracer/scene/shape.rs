@@ -90,7 +90,7 @@ impl<'a> ShapeReader<'a> {
         };
         let placed = read_transform(&mut table)?;
         let transform = Transform::from_affine(placed * canonical).ok_or_else(|| {
-            table.error("the shape has no extent in some direction").expected("sizes and scales that are not zero")
+            table.error("the shape is flat or empty in one direction").expected("sizes and scales that are not zero")
         })?;
         let material = match (table.optional("material"), &mesh_file) {
             (Some(name), _) => self.named_material(&name)?,
@@ -231,7 +231,7 @@ fn read_transform(table: &mut Table) -> Result<DAffine3> {
 
 fn normal(table: &mut Table) -> Result<DVec3> {
     match table.optional("normal") {
-        Some(value) => value.vector()?.try_normalize().ok_or_else(|| value.error("a normal needs a length")),
+        Some(value) => value.vector()?.try_normalize().ok_or_else(|| value.error("a normal must not be zero")),
         None => Ok(DVec3::Z),
     }
 }

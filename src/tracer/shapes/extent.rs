@@ -1,4 +1,4 @@
-//! How far shapes reach in the world.
+//! The extent of shapes in the world.
 
 use super::flat::Outline;
 use super::primitive::{Geometry, Primitive};

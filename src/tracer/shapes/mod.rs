@@ -1,8 +1,8 @@
-//! Shapes: where a ray meets them, and the surface there.
+//! Shapes: their intersection with a ray, and the surface there.
 //!
-//! Every shape is canonical in a space of its own (the unit sphere, the plane z = 0, the cube [-1, 1]^3) and is placed
-//! in the world by a transform. Intersection is computed in `f64`, so that it stays exact to an ulp of `f32` over
-//! twelve decades of scale.
+//! Every shape is canonical in object space (the unit sphere, the plane z = 0, the cube [-1, 1]^3), and a transform
+//! places it in the world. Intersection is computed in `f64`, so that it stays exact to an ulp of `f32` over twelve
+//! decades of scale.
 
 mod cuboid;
 mod extent;

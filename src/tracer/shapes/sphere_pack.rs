@@ -66,7 +66,7 @@ impl SpherePack {
         for lane in 0..LANES {
             let shape = self.shapes[lane];
             if shape == leaving {
-                // The root at the origin is passed over: outwards there is no other, inwards it is the chord's end.
+                // The root at the origin is skipped: outwards there is no other, inwards it is the chord's end.
                 if inside && found(shape, (-2.0 * lines.half_b[lane]).max(0.0)) {
                     return true;
                 }
@@ -165,7 +165,7 @@ mod tests {
         ]
     }
 
-    /// The same sphere as a shape of its own, which is tested in its own space.
+    /// The same sphere as a single shape, tested in object space.
     fn alone(&(_, centre, radius): &(u32, DVec3, f64)) -> Primitive {
         let transform = Transform::from_parts(centre, DVec3::ZERO, DVec3::splat(radius)).unwrap();
         Primitive::new(Geometry::Sphere, transform, MaterialChoice::Whole(0), true)

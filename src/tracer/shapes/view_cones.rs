@@ -1,4 +1,4 @@
-//! What rays through a common point may meet: all that leave the camera, or all that go to a light.
+//! View cones: the shapes that rays through a common point may hit, from the camera or towards a light.
 //!
 //! ```text
 //!            ____

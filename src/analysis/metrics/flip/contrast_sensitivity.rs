@@ -1,4 +1,4 @@
-//! What the eye resolves: the contrast sensitivity of the three opponent channels (section 4.1.1 of the paper).
+//! The contrast sensitivity of the eye in the three opponent channels (section 4.1.1 of the paper).
 
 use crate::math::functions::exponential_f64;
 use crate::metrics::Plane;

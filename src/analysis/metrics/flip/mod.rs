@@ -1,5 +1,5 @@
-//! FLIP: what an eye sees when two pictures alternate (Andersson, Nilsson, Akenine-Moller, Oskarsson, Astrom, Fairchild:
-//! FLIP, A Difference Evaluator for Alternating Images, 2020; the variant for displayed pictures).
+//! FLIP: the visible difference between two alternating pictures (Andersson, Nilsson, Akenine-Moller, Oskarsson,
+//! Astrom, Fairchild: FLIP, A Difference Evaluator for Alternating Images, 2020; the variant for displayed pictures).
 //!
 //! ```text
 //!   colour:   what the eye resolves (contrast sensitivity) -> Lab, Hunt-adjusted -> HyAB distance -> [0, 1]

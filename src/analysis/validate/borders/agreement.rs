@@ -1,15 +1,15 @@
-//! How far the patterns along two borders agree, and how much that tells.
+//! The agreement of the patterns along two borders, and its evidence.
 //!
 //! The measure is the rank correlation r (Spearman, "The Proof and Measurement of Association between Two Things",
 //! 1904) of the brightness along the two: neither the exposure nor a single lamp changes it. Neighbouring texels are
-//! alike, so that n of them tell less than n: as many as Bartlett's formula says ("Some Aspects of the Time-Correlation
-//! Problem", 1935), n / (1 + 2 sum of r_a(k) r_b(k)) with the correlations of either row with itself k texels on. The
-//! evidence is the logarithm of the likelihood that the correlation gains over none, `-(n - 3) / 2 ln(1 - r^2)`:
-//! a smooth sky, which only grows brighter along its borders, gets nearly none.
+//! correlated, so n of them count as fewer independent ones, by Bartlett's formula ("Some Aspects of the
+//! Time-Correlation Problem", 1935), n / (1 + 2 sum of r_a(k) r_b(k)) with the correlations of either row with itself k
+//! texels on. The evidence is the logarithm of the likelihood that the correlation gains over none,
+//! `-(n - 3) / 2 ln(1 - r^2)`: a smooth sky, which only grows brighter along its borders, gets nearly none.
 //!
-//! Between two ways to lay a border the difference counts, by Fisher's test of two correlations ("On the Probable
-//! Error of a Coefficient of Correlation Deduced from a Small Sample", 1921): what two ways have in common, as a border
-//! that is bright at both ends and dark in the middle has with its mirror image, tells nothing for either.
+//! Two orientations of a border are compared by Fisher's test of two correlations ("On the Probable Error of a
+//! Coefficient of Correlation Deduced from a Small Sample", 1921): the common part of two orientations is evidence for
+//! neither, for instance in a border that is bright at both ends and dark in the middle.
 
 use crate::math::functions::logarithm;
 

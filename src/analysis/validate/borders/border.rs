@@ -1,4 +1,4 @@
-//! Reading the borders of the six images: the only texels that seams and orientations are judged by.
+//! Reads the borders of the six images, the only texels that decide seams and orientations.
 //!
 //! ```text
 //!     side ->  0 1 2 3 4 ...            rows parallel to the side, counted inwards:
@@ -56,7 +56,7 @@ pub fn display_of_map(borders: &Borders) -> Display {
 }
 
 impl ImageBorders {
-    /// The row so many texels inside the side, without the frame if there is one: 0, 1 or 2.
+    /// The row at this distance inside the side, without the frame if there is one: 0, 1 or 2.
     pub fn row(&self, side: Side, index: usize) -> &Row {
         &self.sides[side.index()].outer[index + usize::from(self.framed)]
     }
@@ -97,7 +97,7 @@ pub fn read_borders(map: &CubeMap) -> Result<Borders> {
     Ok(borders.try_into().expect("there are six images"))
 }
 
-/// The table by which every face reads the image of its own name. The texture coordinates of an image depend on
+/// The table by which every face reads the image of the same name. The texture coordinates of an image depend on
 /// nothing but where v = 0 lies.
 fn as_named(lookup: &Lookup) -> Lookup {
     let rows = Face::ALL.map(|face| FaceLookup { image: face, ..lookup.row(face) });

@@ -1,8 +1,8 @@
-//! Colours as a viewer sees them, in which steps are measured.
+//! Display colours, in which steps are measured.
 //!
 //! 8- and 16-bit files: sRGB-encoded, 0 to 255. Files of unbounded radiance (HDR, OpenEXR): the radiance is divided by
 //! its logarithmic mean along all borders, brought into range by `x / (1 + x)` (Reinhard et al., "Photographic Tone
-//! Reproduction for Digital Images", 2002) and then encoded alike, so that a lamp counts no more than white.
+//! Reproduction for Digital Images", 2002) and then encoded alike, so that a lamp counts as white.
 
 use std::sync::LazyLock;
 

@@ -1,4 +1,4 @@
-//! The borders of the six images, and what it costs to let one continue another.
+//! The borders of the six images, and the cost of one as the continuation of another.
 
 pub mod agreement;
 pub mod border;

@@ -1,10 +1,10 @@
-//! What it costs to let one border continue another: 24 borders, each with each, in both directions, once.
+//! The cost of one border as the continuation of another: all pairs of 24 borders, in both directions.
 //!
 //! For every Haar coefficient the difference d of the two borders is compared with the change s from row to row that
 //! both pictures show inside: the cost is `ln(1 + (d/s)^2 / 3)` summed over the colours inside the logarithm, the
-//! negative logarithm of a distribution with heavy tails. A lamp on one side of a seam, or one face that is
-//! exposed otherwise, then counts as one surprise and not as a thousand. `s^2` is the product of the two sides' own
-//! changes, so that over all ways to lay the six faces the sum is a fair comparison: every side is used once.
+//! negative logarithm of a distribution with heavy tails. A lamp on one side of a seam, or one face with another
+//! exposure, then counts as one outlier and not as a thousand. `s^2` is the product of the two sides' own changes, so
+//! that the sums of all arrangements are comparable: every side is used once.
 
 use super::agreement::Correlation;
 use super::border::ImageBorders;
@@ -15,13 +15,13 @@ use crate::envmap::Face;
 use crate::math::functions::logarithm;
 use crate::parallel;
 
-/// Coarse coefficients, each a unit of its own.
+/// Coarse coefficients, each a separate unit.
 const COARSE: usize = 16;
 /// Blocks along the border, in each of which the finer bands are taken together.
 const BLOCKS: usize = 16;
 /// Units of the slope.
 const SLOPES: usize = 16;
-/// Costs kept apart for every pair of borders: they are what two ways to lay the faces are compared by.
+/// Costs of every pair of borders, by which arrangements are compared.
 pub const UNITS: usize = COARSE + BLOCKS + SLOPES;
 
 /// The costs of one pair.

@@ -2,8 +2,8 @@
 //!
 //! The scales are those of the Haar wavelet (Haar, "Zur Theorie der orthogonalen Funktionensysteme", 1910), as plain
 //! means and half differences: coefficient 0 is the mean of the row; 1 is half the difference of its two halves; 2 and
-//! 3 those of its quarters, and so on. What the pictures have in common at a seam shows at every scale for which there
-//! is detail, an exposure that differs from face to face in coefficient 0 alone.
+//! 3 those of its quarters, and so on. Common content at a seam shows at every scale with detail; a different exposure
+//! shows in coefficient 0 alone.
 
 use super::agreement::Pattern;
 use super::border::{ImageBorders, Row};

@@ -1,11 +1,11 @@
-//! A way to lay six images on the faces of the cube.
+//! An arrangement of six images on the faces of the cube.
 
 use super::super::borders::edge::{Edge, EdgeBorders};
 use super::super::borders::pair_cost::{PairCosts, UNITS, Units, border_index};
 use super::super::thresholds::evidence::STRONG;
 use crate::envmap::{Face, FaceLookup, Lookup, Orientation};
 
-/// Per face the image it reads and how that is laid, relative to the given lookup.
+/// Per face the image it reads and its orientation, relative to the given lookup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct Arrangement {
     pub images: [Face; 6],

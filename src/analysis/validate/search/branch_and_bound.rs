@@ -1,8 +1,8 @@
 //! The exact search for the cheapest arrangement: branch and bound over the faces in order.
 //!
-//! An edge is paid for when the second of its faces is laid. What is still to pay is at least, for every edge not paid
-//! for, the cheapest pair of borders that could meet there; with that bound most of the 8^6 orientations are never
-//! visited, and of the 6! 8^6 arrangements a few thousand.
+//! The cost of an edge is added when the second of its faces is placed. The lower bound adds, for every remaining edge,
+//! the cheapest pair of borders that could meet there. With that bound most of the 8^6 orientations are never visited,
+//! and only a few thousand of the 6! 8^6 arrangements.
 
 use super::super::borders::edge::Edge;
 use super::arrangement::{Arrangement, Problem};
@@ -45,7 +45,7 @@ struct BranchAndBound<'a> {
     freedom: Freedom,
     /// The least that the edges paid for from a face on can cost.
     bounds: [f64; 7],
-    /// The edges paid for when a face is laid.
+    /// The edges whose cost is added when a face is placed.
     edges: [Vec<usize>; 6],
     current: Arrangement,
     used: [bool; 6],

@@ -68,7 +68,7 @@ const NUMBERED: u32 = 2;
 const OTHER_TABLE: u32 = 10;
 /// As much as two files exchanged: where both explain a map, the pictures decide.
 const LIKE_AN_EXCHANGE: u32 = 20;
-/// Assuming a table that lays the world on its side.
+/// Under a table that turns the world on its side.
 const SIDEWAYS: u32 = 25;
 /// Six mirrored files: more than two exchanged ones, which look the same, but for a mirror.
 const MIRRORED: u32 = 35;

@@ -1,4 +1,4 @@
-//! The 48 rotations and mirrorings of the cube: ways to lay all six images that close the same seams.
+//! The 48 rotations and mirrorings of the cube: arrangements of all six images that close the same seams.
 
 use super::arrangement::Arrangement;
 use crate::envmap::{Face, FaceLookup, Lookup, Orientation, SignedAxis};

@@ -20,7 +20,7 @@ impl ColourChannels {
         if index("RY").is_some() || index("BY").is_some() {
             return Err(Error::new("the colour is stored as luminance and chroma (Y, RY, BY)")
                 .expected("channels R, G and B, or Y alone")
-                .help("save it anew as RGB"));
+                .help("save it again as RGB"));
         }
         if let Some(grey) = index("Y") {
             return Ok(Self([grey; 3]));

@@ -22,7 +22,7 @@ pub enum EnvironmentLayout {
     LatitudeLongitude,
 }
 
-/// What the `envmap` attribute of an OpenEXR file says; `None` if it has none or is no readable OpenEXR file.
+/// What the `envmap` attribute of an OpenEXR file says; `None` if it has none or is not a readable OpenEXR file.
 pub fn exr_environment(encoded: &[u8]) -> Option<EnvironmentLayout> {
     let reader = open(encoded).ok()?;
     Some(match reader.headers().first()?.own_attributes.environment_map? {
@@ -65,7 +65,7 @@ fn open(encoded: &[u8]) -> Result<Reader<Cursor<&[u8]>>> {
 fn first_layer<'a>(reader: &'a Reader<Cursor<&[u8]>>) -> Result<&'a Layer> {
     let layer = reader.headers().first().ok_or_else(|| damaged(Format::Exr, "it has no layer"))?;
     if layer.deep {
-        return Err(Error::new("this OpenEXR picture holds deep data").expected("one colour a pixel"));
+        return Err(Error::new("this OpenEXR picture holds deep data").expected("one colour per pixel"));
     }
     Ok(layer)
 }

@@ -1,4 +1,4 @@
-//! How light is spread over the sphere: much of it from few directions, or the same from everywhere.
+//! The distribution of light over the sphere: concentrated in few directions, or uniform.
 
 use super::cells::Cell;
 

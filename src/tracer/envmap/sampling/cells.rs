@@ -1,4 +1,4 @@
-//! Tables of cells: pictures cut into small rectangles, one of which is drawn in proportion to its weight.
+//! Tables of cells: pictures cut into small rectangles, which are sampled in proportion to their weights.
 
 use super::inversion::{self, Inversion};
 use crate::parallel;

@@ -1,4 +1,4 @@
-//! Cube maps: cells of the six faces, as the lookup lays the pictures onto them.
+//! Cube maps: cells of the six faces, in the orientation of the lookup.
 
 use super::brightness::BrightnessHistogram;
 use super::cells::{Cell, CellAxis, CellTable};

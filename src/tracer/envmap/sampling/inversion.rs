@@ -1,4 +1,4 @@
-//! Drawing one of several numbers in proportion to weights, by inverting their running sum.
+//! Sampling of an index in proportion to weights, by inversion of their running sum.
 //!
 //! ```text
 //!   start  0    s1      s2 s3            2^32 - 1      The point `place` of the line belongs to one part; the
@@ -7,9 +7,9 @@
 //!                              place                   table would destroy.
 //! ```
 //!
-//! The running sum is kept in whole numbers: the probability told is then exactly the one drawn with, on any machine,
-//! and every part of positive weight is at least one unit wide, so that nothing bright is ever out of reach, however
-//! much brighter something else is.
+//! The running sum consists of integers: the reported probability is then exactly the sampled one, on any machine, and
+//! every part of positive weight is at least one unit wide, so that a bright cell is always reachable, even beside a
+//! much brighter one.
 
 /// Length of the line, in units.
 const UNITS: u32 = u32::MAX;

@@ -1,7 +1,7 @@
-//! Importance sampling of the environment: directions drawn in proportion to the light that comes from them.
+//! Importance sampling of the environment: directions sampled in proportion to their light.
 //!
-//! The pictures are cut into cells of one texel (or a few, in very large pictures). A cell is drawn by its power, that is
-//! luminance times solid angle; then a place in the cell.
+//! The pictures are cut into cells of one texel (or a few, in very large pictures). A cell is sampled by its power,
+//! luminance times solid angle; then a point in the cell.
 
 mod brightness;
 mod cells;

@@ -1,7 +1,7 @@
-//! How bright each texel of a picture is as the filter shows it.
+//! The mean brightness of each texel after filtering.
 //!
-//! Between texel centres the radiance is interpolated, so a dark texel beside a bright one is not dark. What counts is
-//! the mean over the texel's square. Along one axis the filtered value is `(1 - s) a + s b` between the centres of
+//! Between texel centres the radiance is interpolated, so a dark texel beside a bright one is not dark. The sampler
+//! uses the mean over the texel's square. Along one axis the filtered value is `(1 - s) a + s b` between the centres of
 //! a and b; over half a texel, s from 0 to 1/2, the mean share of the neighbour is 1/4, and a texel has two halves:
 //!
 //! ```text

@@ -1,4 +1,4 @@
-//! Where the faces of a cross lie: its empty cells, of one colour, tell.
+//! The layout of a cross, found from its empty cells of one colour.
 
 use super::super::orientation::ImageOperation;
 use super::layout::{Cell, Layout};
@@ -26,7 +26,7 @@ const CLEARLY_BETTER: f32 = 0.5;
 /// The cells of a cross, +X -X +Y -Y +Z -Z.
 pub(super) fn cells(grid: &Grid, layout: Layout) -> Result<[Cell; 6]> {
     use ImageOperation::{None, Turn180, TurnClockwise, TurnCounterclockwise};
-    // An arm that stands so many places further than the front touches it with another side.
+    // An arm further from the centre than the front touches it with another side.
     match layout {
         Layout::HorizontalCross => {
             let ([top, bottom], front) = arms(grid, [0, 2], |lane, place| (place, lane))?;

@@ -1,4 +1,4 @@
-//! The image of one face: its name and size, and its pixels when they are asked for.
+//! The image of one face: its name and size, and its pixels on demand.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -30,7 +30,7 @@ enum Origin {
 }
 
 impl FaceImage {
-    /// A face in a file of its own, called `name` in reports.
+    /// A face in a separate file, called `name` in reports.
     pub(super) fn from_file(path: PathBuf, name: String) -> Result<Self> {
         let (header, _) = read_header(|limit| read_file(&path, limit), &path)?;
         Ok(Self { name, header, origin: Origin::File(path) })

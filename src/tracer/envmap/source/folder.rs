@@ -14,7 +14,7 @@ pub(super) fn list(folder: &Path) -> Result<Vec<String>> {
         if is_folder { subfolders.push(name) } else { paths.push(name) }
     }
     for subfolder in subfolders {
-        // A subfolder that may not be entered is no reason to refuse the faces beside it.
+        // An unreadable subfolder does not exclude the faces beside it.
         let Ok(entries) = entries(&folder.join(&subfolder)) else { continue };
         let files = entries.into_iter().filter(|(_, is_folder)| !is_folder);
         paths.extend(files.map(|(name, _)| format!("{subfolder}/{name}")));
@@ -23,7 +23,7 @@ pub(super) fn list(folder: &Path) -> Result<Vec<String>> {
     Ok(paths)
 }
 
-/// Names in a folder, and whether each is a folder itself. Names that are no Unicode are left out: none is a face.
+/// Names in a folder, and whether each is a folder itself. Names that are not Unicode are left out: none is a face.
 fn entries(folder: &Path) -> Result<Vec<(String, bool)>> {
     let read = || -> io::Result<Vec<(String, bool)>> {
         let mut entries = Vec::new();

@@ -96,7 +96,7 @@ impl EnvironmentPicture {
 
 /// The error for a shape that is none of ours, with the right sizes of the shape that comes nearest.
 fn unknown_shape(width: usize, height: usize) -> Error {
-    let error = Error::new(format!("{width} x {height} pixels: the shape tells no layout of six faces"));
+    let error = Error::new(format!("{width} x {height} pixels: these proportions match no layout of six faces"));
     // The larger quotient of the two aspect ratios, 1 where they agree.
     let distance = |columns: usize, rows: usize| {
         let quotient = (width * rows) as f64 / (height * columns) as f64;
@@ -130,7 +130,7 @@ impl Layout {
         }
     }
 
-    /// True for layouts whose cells have many orders: the place of a cell is no name.
+    /// True for layouts with several orders of cells: the place of a cell is not a name.
     pub fn has_free_order(self) -> bool {
         matches!(self, Self::HorizontalStrip | Self::VerticalStrip | Self::WideSheet | Self::TallSheet)
     }
@@ -181,12 +181,12 @@ mod tests {
     fn other_shapes_are_refused_with_the_sizes_that_would_be_right() {
         let error = |width, height| EnvironmentPicture::recognise(width, height, None).unwrap_err();
         insta::assert_snapshot!(error(1025, 768), @r"
-        1025 x 768 pixels: the shape tells no layout of six faces
+        1025 x 768 pixels: these proportions match no layout of six faces
           expected: a cross, strip or sheet whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, sheet 3:2, sheet 2:3)
           help: if this is a horizontal cross 4:3, 1024 x 768 or 1028 x 771 pixels would be right
         ");
         insta::assert_snapshot!(error(512, 512), @r"
-        512 x 512 pixels: the shape tells no layout of six faces
+        512 x 512 pixels: these proportions match no layout of six faces
           expected: a cross, strip or sheet whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, sheet 3:2, sheet 2:3)
           help: six faces may also be six files in a folder or zip
         ");

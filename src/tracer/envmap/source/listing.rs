@@ -179,7 +179,7 @@ mod tests {
           Day
           Night
           expected: one set of six faces
-          help: name the subfolder that is meant after a slash, as in .../Day
+          help: name the subfolder after a slash, as in .../Day
         ");
     }
 
@@ -194,9 +194,9 @@ mod tests {
           negy: negy.png
           posz: posz.png
           negz: negz.png
-          passed over: Sky/negx.png, Sky/negy.png, Sky/negz.png, Sky/posx.png, Sky/posy.png, Sky/posz.png
+          ignored: Sky/negx.png, Sky/negy.png, Sky/negz.png, Sky/posx.png, Sky/posy.png, Sky/posz.png
           expected: one picture for each of the six faces
-          help: rename files, or move those that do not belong out of the way; a scene may also name the six files itself
+          help: rename files, or move the superfluous ones away; a scene may also name the six files itself
         ");
     }
 
@@ -211,9 +211,9 @@ mod tests {
           negy: nothing
           posz: posz.jpg
           negz: nothing
-          passed over: readme.txt, view.jpg
+          ignored: readme.txt, view.jpg
           expected: one picture for each of the six faces
-          help: rename files, or move those that do not belong out of the way; a scene may also name the six files itself
+          help: rename files, or move the superfluous ones away; a scene may also name the six files itself
         ");
     }
 
@@ -225,7 +225,7 @@ mod tests {
           posx.png, negx.png, posy.png, negy.png, posz.png, negz.png
           right.png, left.png, top.png, bottom.png, front.png, back.png
           expected: one set
-          help: name the one that is meant by what its files begin with, as in FOLDER/day_; or move the others elsewhere; a scene may also name the six files itself
+          help: choose a set by the prefix of its files, as in FOLDER/day_; or move the others away; a scene may also name the six files itself
         ");
     }
 
@@ -233,8 +233,8 @@ mod tests {
     fn a_folder_without_faces_says_what_it_looked_for() {
         let paths = ["readme.txt", "storm.jpg"].map(str::to_owned);
         insta::assert_snapshot!(find_faces(&paths).unwrap_err(), @r"
-        no file in it is named like a face of a cube
-          passed over: readme.txt, storm.jpg
+        no file in it has the name of a cube face
+          ignored: readme.txt, storm.jpg
           expected: six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and extension
           help: if storm.jpg holds all six faces as a cross or strip, give that file itself
         ");

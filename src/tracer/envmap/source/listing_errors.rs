@@ -1,4 +1,4 @@
-//! What is said of a folder or archive that does not hold exactly one file for each face.
+//! Errors about a folder or archive without exactly one file for each face.
 
 use super::passing_over::{all_but, is_passed_over, is_readable_format};
 use super::selection::{self, Found, Selection};
@@ -27,7 +27,7 @@ pub(super) fn no_complete_set(paths: &[String], selections: &[Selection]) -> Err
 pub(super) fn no_faces(paths: &[String]) -> Error {
     let pictures: Vec<&String> =
         paths.iter().filter(|path| !is_passed_over(path) && is_readable_format(path)).collect();
-    let problem = if paths.is_empty() { "no files in it" } else { "no file in it is named like a face of a cube" };
+    let problem = if paths.is_empty() { "no files in it" } else { "no file in it has the name of a cube face" };
     let error = Error::new(format!("{problem}{}", passed_over_line(&all_but(paths, &[]))));
     match pictures[..] {
         [one] => error.help(format!("if {one} holds all six faces as a cross or strip, give that file itself")),
@@ -37,8 +37,9 @@ pub(super) fn no_faces(paths: &[String]) -> Error {
 }
 
 /// The names that a user may give the files.
-const NAMES: &str = "six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top bottom \
-                     front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and extension";
+const NAMES: &str = "six pictures named posx negx posy negy posz negz, or px nx ..., or +x -x ..., or right left top \
+                     bottom front back, or rt lf up dn ft bk, or r l u d f b, or numbered, with any prefix, case and \
+                     extension";
 
 /// Faces are missing or have several files.
 pub(super) fn unclear(paths: &[String], found: &Found) -> Error {
@@ -49,14 +50,12 @@ pub(super) fn unclear(paths: &[String], found: &Found) -> Error {
         .filter(|(faces, _)| !faces.is_empty())
         .map(|(faces, what)| format!("{} {what}", names_of(&faces)))
         .collect();
-    let problem = if parts.is_empty() { "one file stands for two faces".to_owned() } else { parts.join("; ") };
+    let problem = if parts.is_empty() { "one file matches two faces".to_owned() } else { parts.join("; ") };
     let used: Vec<usize> = found.iter().flatten().copied().collect();
     let rest = passed_over_line(&all_but(paths, &used));
     Error::new(format!("{problem}{}{rest}", table(paths, found)))
         .expected("one picture for each of the six faces")
-        .help(
-            "rename files, or move those that do not belong out of the way; a scene may also name the six files itself",
-        )
+        .help("rename files, or move the superfluous ones away; a scene may also name the six files itself")
 }
 
 fn names_of(faces: &[Face]) -> String {
@@ -73,9 +72,9 @@ fn table(paths: &[String], found: &Found) -> String {
     Face::ALL.map(line).concat()
 }
 
-/// A line with the files that are no face; nothing if there are none.
+/// A line with the files that are not faces; empty if there are none.
 fn passed_over_line(names: &[String]) -> String {
-    if names.is_empty() { String::new() } else { format!("\n  passed over: {}", shortened(names)) }
+    if names.is_empty() { String::new() } else { format!("\n  ignored: {}", shortened(names)) }
 }
 
 /// A list that stays readable when a folder holds thousands of files.
@@ -92,12 +91,10 @@ pub(super) fn several_sets(paths: &[String], sets: &[Found]) -> Error {
         format!("\n  {}", shortened(&files))
     };
     let lists: String = sets.iter().map(list).collect();
-    Error::new(format!("{} complete sets of six faces{lists}", sets.len()))
-        .expected("one set")
-        .help(
-            "name the one that is meant by what its files begin with, as in FOLDER/day_; or move the others elsewhere; a scene \
-             may also name the six files itself",
-        )
+    Error::new(format!("{} complete sets of six faces{lists}", sets.len())).expected("one set").help(
+        "choose a set by the prefix of its files, as in FOLDER/day_; or move the others away; a scene may also \
+             name the six files itself",
+    )
 }
 
 /// Several subfolders hold complete sets.
@@ -107,5 +104,5 @@ pub(super) fn several_folders<'a>(folders: impl Iterator<Item = &'a str>) -> Err
     let more = if folders.len() > LISTED { format!("\n  and {} more", folders.len() - LISTED) } else { String::new() };
     Error::new(format!("{} subfolders hold six faces each{lines}{more}", folders.len()))
         .expected("one set of six faces")
-        .help(format!("name the subfolder that is meant after a slash, as in .../{}", folders[0]))
+        .help(format!("name the subfolder after a slash, as in .../{}", folders[0]))
 }

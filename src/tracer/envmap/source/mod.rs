@@ -1,6 +1,6 @@
-//! Where the six images of a skybox come from: a folder, a zip as downloaded, six named files, or one picture.
+//! Sources of the six images of a skybox: a folder, a zip as downloaded, six named files, or one picture.
 //!
-//! Opening reads names and headers. Pixels are decoded face by face, when asked for.
+//! Opening reads names and headers. Pixels are decoded face by face, on demand.
 
 mod cross;
 mod face_image;
@@ -68,7 +68,7 @@ impl Skybox {
         }
         match enclosing_file(path) {
             Some((archive, subfolder)) if is_zip(&archive)? => open_archive(&archive, Some(&subfolder)),
-            _ => Err(Error::new("no such file or folder").in_file(path)),
+            _ => Err(Error::new("the file or folder does not exist").in_file(path)),
         }
     }
 
@@ -95,7 +95,7 @@ impl Skybox {
         Ok(Self { images, layout: Layout::SixFiles, naming: Naming::Faces, passed_over: Vec::new() })
     }
 
-    /// Six pictures in the order of [`Face::ALL`]; `None` if one is no square picture.
+    /// Six pictures in the order of [`Face::ALL`]; `None` if one is not square.
     pub fn of_six_squares(paths: &[PathBuf]) -> Option<Self> {
         let files: Vec<(Face, PathBuf)> = Face::ALL.into_iter().zip(paths.iter().cloned()).collect();
         let all_files = paths.len() == 6 && paths.iter().all(|path| path.is_file());
@@ -148,7 +148,7 @@ fn open_folder(path: &Path) -> Result<Skybox> {
     let paths = folder::list(path)?;
     let located = listing::find_faces(&paths).map_err(|error| error.in_file(path))?;
     let skybox = open_files(path, &paths, located)?;
-    // Six pictures of any kind are no map because nothing else lies beside them.
+    // Six arbitrary pictures are not a map, even if nothing else lies beside them.
     if skybox.naming == Naming::Nothing && !skybox.size_faults().is_empty() {
         return Err(listing_errors::no_faces(&paths).in_file(path));
     }

@@ -2,7 +2,7 @@
 
 use crate::envmap::Face;
 
-/// A way of naming faces. A download keeps to one.
+/// A naming scheme of faces. A download uses one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Family {
     /// `posx`, `neg_y`, `positive-z`, `xpos`, `x_plus`
@@ -93,7 +93,7 @@ const SPELLINGS: &[(Family, [&str; 6])] = &[
     (Family::Italian, ["destra", "sinistra", "sopra", "sotto", "davanti", "dietro"]),
 ];
 
-/// One way to read a file name as that of a face.
+/// One reading of a file name as the name of a face.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Reading {
     pub family: Family,
@@ -105,7 +105,7 @@ pub(super) struct Reading {
     pub separate: bool,
 }
 
-/// Every way to read a file name (without directories) as that of a face, in the order of the table.
+/// All readings of a file name (without directories) as the name of a face, in the order of the table.
 pub(super) fn readings(file_name: &str) -> Vec<Reading> {
     let original = stem(file_name);
     // Letters of the same length in both cases, so that places in one are places in the other.

@@ -1,4 +1,4 @@
-//! Files of a download that are no face, whatever their names say.
+//! Files of a download to ignore: they are not faces, despite their names.
 
 use super::naming::extension;
 

@@ -63,7 +63,7 @@ pub(super) fn select(names: &[&str]) -> Selection {
 /// Files with the name of a face up to which six pictures count as not named.
 const MOSTLY_UNNAMED: usize = 2;
 
-/// Files whose names hold that of a face which is no single letter.
+/// Files whose names contain a face name of more than one letter.
 fn named_by_more_than_initials(separate: &[Vec<Reading>]) -> usize {
     separate.iter().filter(|all| all.iter().any(|reading| !reading.family.is_of_initials())).count()
 }

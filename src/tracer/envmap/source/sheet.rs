@@ -54,9 +54,12 @@ impl Sheet {
         if name.split(|letter: char| !letter.is_ascii_alphabetic()).all(|word| word != "eac") {
             return Ok(());
         }
-        Err(Error::new("an equi-angular cube map (EAC), by its name: its faces are stretched towards their borders")
-            .in_file(&self.path)
-            .expected("six faces as a camera of 90° sees them"))
+        Err(Error::new(
+            "an equi-angular cube map (EAC), according to its name: its faces are stretched towards their \
+                        borders",
+        )
+        .in_file(&self.path)
+        .expected("six faces of a 90° camera"))
     }
 
     fn picture(&self) -> Result<&Picture> {
@@ -106,7 +109,7 @@ impl Sheet {
         if (picture.width(), picture.height()) == (self.header.width, self.header.height) {
             return Ok(picture);
         }
-        Err(Error::new("its pixels are of another size than its header says").in_file(&self.path))
+        Err(Error::new("its pixel data differ in size from its header").in_file(&self.path))
     }
 }
 
@@ -114,5 +117,5 @@ fn equirectangular(path: &Path, header: Header) -> Error {
     Error::new(format!("{} x {} pixels: an equirectangular picture, not six faces", header.width, header.height))
         .in_file(path)
         .expected("six faces: a folder, a zip, a cross or strip, or an OpenEXR file with `envmap = cube`")
-        .help("a scene takes such a picture as its equirectangular environment")
+        .help("a scene can use it as an equirectangular environment")
 }

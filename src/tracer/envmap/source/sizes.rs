@@ -1,4 +1,4 @@
-//! Whether six faces are square and alike in size.
+//! Checks that six faces are square and of one size.
 
 use crate::envmap::Face;
 use crate::error::Error;

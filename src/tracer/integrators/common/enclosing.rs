@@ -4,7 +4,7 @@ use crate::materials::{Medium, MediumStack};
 use crate::math::{DVec3, Departure, Ray, Side};
 use crate::scene::{Plan, Scene};
 
-/// Surfaces met at most on the way out.
+/// The most surfaces that the walk outwards meets.
 const LONGEST_WAY: usize = 4096;
 
 /// The glasses that enclose a point from which rays start, outermost first: a camera may stand in water.

@@ -1,4 +1,4 @@
-//! What a camera ray meets first: what the layers of a picture hold.
+//! The first hit of a camera ray, for the layers of a picture.
 
 use super::view::View;
 use crate::math::{DVec3, Ray, Vec3};

@@ -1,4 +1,4 @@
-//! All light sources that have an extent, as one to choose from: the environment and emissive shapes.
+//! All light sources with an extent, as one distribution: the environment and emissive shapes.
 
 use crate::envmap::EnvironmentSampler;
 use crate::error::Result;
@@ -143,7 +143,7 @@ impl LightTables {
         let share = format!("{:.1} % of its light from its brightest thousandth", 100.0 * self.concentration);
         let mut items = Vec::new();
         if plan.light_sampling && self.is_empty() {
-            items.push(format!("the environment is uniform ({share}): no rays sent to it"));
+            items.push(format!("the environment is uniform ({share}): no shadow rays to it"));
         }
         if plan.caustics && !self.is_concentrated() {
             items.push(format!("no small bright light ({share}): no photon pass"));
@@ -165,7 +165,7 @@ impl LightTables {
     }
 }
 
-/// The emissive shapes, with their power for a share.
+/// The emissive shapes, weighted by their power.
 fn shape_lights(scene: &Scene) -> Vec<ShapeLight> {
     let emission = |material: u32| scene.materials[material as usize].emission();
     let emits = |material: u32| emission(material) != Vec3::ZERO;

@@ -21,7 +21,7 @@ impl Media<'_> {
         self.glass_of(medium).map_or(1.0, |(index, _)| index)
     }
 
-    /// Share of the light that is left after a way through a glass.
+    /// Transmittance over a distance in a glass.
     #[inline(always)]
     pub fn transmittance(&self, medium: impl FnOnce() -> Option<Medium>, distance: f64) -> Vec3 {
         if self.absorption { self.absorbed(medium(), distance) } else { Vec3::ONE }

@@ -1,5 +1,5 @@
-//! What several integrators need: the surface as a ray sees it, the glasses a ray is inside of, the light sources, and
-//! somebody who may watch.
+//! What several integrators need: the surface as a ray sees it, the glasses around a ray, the light sources, and an
+//! observer.
 
 pub mod enclosing;
 pub mod first_hit;

@@ -1,12 +1,12 @@
-//! Watching an integrator at work: what `skycube trace` prints.
+//! Observers of an integrator, for `skycube trace`.
 //!
-//! The textbook's integrators are written over an [`Observer`]. [`Blind`] sees nothing, and everything about it compiles away;
-//! [`Recorder`] keeps every event. Events are made by closures, so that a blind observer does not pay for making them.
+//! The textbook integrators are generic over an [`Observer`]. [`Blind`] sees nothing and compiles to nothing;
+//! [`Recorder`] keeps every event. Closures make the events, so a blind observer does not pay for them.
 
 use crate::math::{DVec3, Ray, Side, Vec3};
 use crate::shapes::Surface;
 
-/// Somebody who may watch an integrator.
+/// An observer of an integrator.
 pub trait Observer {
     /// Something happened.
     fn note(&mut self, event: impl FnOnce() -> Event);
@@ -51,7 +51,7 @@ pub enum RayKind {
 pub enum LightOutcome {
     /// Ambient light, unshadowed.
     Ambient { contribution: Vec3 },
-    /// The light sends nothing here: outside the cone of a spot.
+    /// The light does not reach this point: outside the cone of a spot.
     Unreached,
     /// The surface faces away from it, or the material reflects nothing from there.
     Behind,
@@ -70,7 +70,7 @@ pub enum Event {
     Missed { direction: DVec3, environment: Vec3, transmittance: Vec3 },
     /// It hit nothing, and nothing is taken: black.
     Nothing,
-    /// It hit a surface; `transmittance` is what glass on the way leaves of the surface's light.
+    /// It hit a surface; `transmittance` is the share of its light that passes the glass in between.
     Hit { surface: Surface, side: Side, shading_normal: DVec3, distance: f64, cosine: f64, transmittance: Vec3 },
     /// The colour that a surface shows by itself.
     Own { what: &'static str, colour: Vec3 },

@@ -1,4 +1,4 @@
-//! A ray of the camera as a task for an integrator, and what it cost.
+//! A camera ray as a task for an integrator, and its cost.
 
 use std::ops::AddAssign;
 

@@ -52,7 +52,8 @@ impl<'s> Vertex<'s> {
         let direction = self.frame.to_world(sample.direction);
         let ray = match (self.ray_towards(direction), sample.specular) {
             (Some(ray), _) if self.passes(&ray) == sample.transmitted => ray,
-            // An interpolated normal sent the ray to the wrong side of the true surface: it is laid into the surface.
+            // An interpolated normal sent the ray to the wrong side of the true surface: it is projected onto the
+            // surface.
             (_, true) => self.ray_along_surface(direction, sample.transmitted),
             _ => return None,
         };

@@ -1,4 +1,4 @@
-//! A surface as a ray sees it: its normals, what it shows by itself, and what it does with light from one direction.
+//! A surface as a ray sees it: its normals, its emission, and its reflection of light from one direction.
 
 use std::f32::consts::PI;
 
@@ -89,7 +89,7 @@ pub fn appearance(material: &Material, surface: &Surface, view: &View, direction
             Appearance::Own(what, colour)
         }
         Material::Mirror { .. } | Material::Metal(_) | Material::Glass { .. } => {
-            Appearance::Own("nothing that this integrator follows: black", Vec3::ZERO)
+            Appearance::Own("not supported by this integrator: black", Vec3::ZERO)
         }
         Material::Light { radiance } if view.side == Side::Front => Appearance::Own(EMITTED, *radiance),
         Material::Light { .. } => Appearance::Own("back of a light: black", Vec3::ZERO),

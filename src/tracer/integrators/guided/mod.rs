@@ -1,6 +1,6 @@
-//! Path tracing where light goes through glass and over mirrors: the textbook's walk with two additions. Both branches of a
-//! glass that the camera sees are followed, and rays are guided to where photons say that light is focused. The mean is the
-//! textbook's, with less noise: see [`walk`] and lesson 11 for what it saves.
+//! Guided path tracing of light through glass and mirrors: the textbook path tracer with two additions. It follows both
+//! branches at glass seen by the camera, and photons guide rays to focused light. The mean is that of the textbook,
+//! with less noise: see [`walk`] and lesson 11 for what it saves.
 
 mod caustics;
 mod walk;

@@ -1,4 +1,4 @@
-//! A path that is told where focused light comes from.
+//! A path guided to focused light.
 //!
 //! ```text
 //!     camera o                      * small light

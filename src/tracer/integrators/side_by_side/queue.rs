@@ -1,4 +1,4 @@
-//! Rays of the same depth, and what is found of them step by step.
+//! A queue of rays of the same depth, and their results step by step.
 
 use crate::integrators::common::view::{Reflection, View};
 use crate::materials::MediumStack;
@@ -6,7 +6,7 @@ use crate::materials::fresnel::Boundary;
 use crate::math::{DVec3, Ray, SurfaceId, Vec3};
 use crate::shapes::{Hit, Surface};
 
-/// A ray on its way, with what it carries.
+/// A ray with its throughput.
 pub struct Path {
     pub ray: Ray,
     /// Share of the pixel that this ray's radiance counts for, by channel.
@@ -81,9 +81,9 @@ pub struct Queue {
 pub struct Found {
     /// What each ray brings back, as far as it is known.
     pub radiances: Vec<Vec3>,
-    /// Share of the light that glass on the way of each ray leaves; empty if no glass weakens light.
+    /// Transmittance along each ray; empty if no glass attenuates light.
     pub transmittances: Vec<Vec3>,
-    /// Surfaces that lights shine on.
+    /// Surfaces with direct light.
     pub lit: Vec<Lit>,
     /// Surfaces that send rays on.
     pub mirrors: Vec<Mirror>,
@@ -101,7 +101,7 @@ impl Found {
         self.glasses.clear();
     }
 
-    /// Share of the light that glass on the way of a ray leaves.
+    /// Transmittance along a ray.
     #[inline]
     pub fn transmittance(&self, ray: usize) -> Vec3 {
         self.transmittances.get(ray).copied().unwrap_or(Vec3::ONE)

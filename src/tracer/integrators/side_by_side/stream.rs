@@ -1,4 +1,4 @@
-//! Rays of the camera that are traced side by side.
+//! A stream of camera rays, traced side by side.
 
 use super::queue::Queue;
 use crate::materials::MediumStack;
@@ -6,7 +6,7 @@ use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::PixelSampler;
 use crate::shapes::ViewCones;
 
-/// Rays that set out from the camera together, room for what is found on the way, and their radiance.
+/// Rays that leave the camera together, buffers for their intermediate results, and their radiance.
 pub struct RayStream {
     /// The spheres as seen from the point that all rays start at, if there is one and it may save work.
     pub(super) cones: Option<ViewCones>,
@@ -40,8 +40,8 @@ impl RayStream {
         self.queues[0].push(Ray::new(origin, towards), Vec3::ONE, index, *media);
     }
 
-    /// Makes the directions of all rays unit vectors: in a loop of its own, where the processor takes several square roots
-    /// at once.
+    /// Normalises the directions of all rays, in a separate loop, where the processor takes several square roots at
+    /// once.
     pub(super) fn normalize(&mut self) {
         self.queues[0].paths.iter_mut().for_each(|path| path.ray.direction = path.ray.direction.normalize());
     }

@@ -1,6 +1,6 @@
 //! Whitted's integrator, step by step for all rays of a stream; without branches it is Phong's.
 //!
-//! Nobody watches here: the textbook's `whitted.rs` says what is computed, and a test compares every bit.
+//! It has no observer: the textbook's `whitted.rs` defines the result, and a test compares every bit.
 
 use super::queue::{Found, Glass, Lit, Meeting, Mirror, Origin, Path, Queue, Sender};
 use super::stream::RayStream;
@@ -50,7 +50,7 @@ impl<'a> StreamTracer<'a> {
     }
 }
 
-/// A stream on its way.
+/// A stream in progress.
 struct Pass<'p, 'a> {
     tracer: &'p StreamTracer<'a>,
     /// For every ray of the camera.

@@ -1,5 +1,5 @@
-//! The integrators as a lecture shows them, one file each: what they compute is what every faster code is tested against,
-//! and what `skycube trace` watches.
+//! The integrators as a lecture shows them, one file each: faster code is tested against them, and `skycube trace`
+//! watches them.
 
 pub mod normals;
 pub mod path;

@@ -1,4 +1,4 @@
-//! The shading normal as a colour: the first picture of a ray tracer that meets something.
+//! The shading normal as a colour: the first picture of a ray tracer with shapes.
 
 use crate::integrators::common::observer::{Event, Observer};
 use crate::integrators::common::task::Task;

@@ -115,7 +115,7 @@ impl<O: Observer> PathTracer<'_, O> {
         let transmittance = self.glass.transmittance(|| media.innermost(), f64::INFINITY);
         let environment = self.task.scene.environment.radiance(direction);
         self.task.observer.note(|| Event::Missed { direction, environment, transmittance });
-        self.add("environment, met by chance", weight, carried * transmittance * environment * weight);
+        self.add("environment, hit by a scattered ray", weight, carried * transmittance * environment * weight);
     }
 
     /// What a surface shows without any light: its emission, which counts `weight`, or a colour for debugging.
@@ -159,7 +159,7 @@ impl<O: Observer> PathTracer<'_, O> {
         let (radiance, distance) = found?;
         let transmittance = self.glass.transmittance(|| vertex.media_of(&ray, media).innermost(), distance);
         let share = evaluation.value * (f64::from(weight) / light.density) as f32;
-        self.add("light, by a ray sent to it", weight, carried * share * transmittance * radiance);
+        self.add("light, by a shadow ray", weight, carried * share * transmittance * radiance);
         Some(())
     }
 

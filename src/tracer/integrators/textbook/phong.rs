@@ -1,4 +1,4 @@
-//! Light straight from the sources, with shadows and Phong's highlights; rays are not followed any further.
+//! Direct light with shadows and Phong highlights, without secondary rays.
 //!
 //! ```text
 //!     light *     n               L =  sum over the lights of   V E cos(theta) f

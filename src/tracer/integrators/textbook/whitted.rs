@@ -24,7 +24,7 @@ use crate::materials::{Material, MediumStack};
 use crate::math::{DVec3, Departure, Ray, Side, Vec3};
 use crate::shapes::Surface;
 
-/// A ray on its way from the camera.
+/// A ray from the camera.
 pub struct Path {
     pub ray: Ray,
     /// The glasses that the ray is inside of.
@@ -50,7 +50,7 @@ pub fn radiance<O: Observer>(task: &mut Task<O>, path: &Path) -> Vec3 {
         return end(task, environment * transmittance);
     };
 
-    // The surface, and what glass on the way leaves of its light.
+    // The surface, and the transmittance of the glass before it.
     let surface = scene.shapes.surface(ray, &hit);
     let view = View::new(&surface, ray.direction);
     let transmittance = glass.transmittance(|| medium_before(&media, &surface, &view), hit.t);

@@ -1,4 +1,4 @@
-//! Files that are no pictures, whatever they are called.
+//! Files that are not pictures, whatever their names.
 
 use std::path::Path;
 
@@ -32,12 +32,12 @@ fn say_what_they_are() {
     assert!(refused(b"PK\x03\x04....").contains("zip archive"));
     assert!(refused(b"GIF89a").contains("GIF"));
     assert!(refused(b"Hello, this is the readme.").contains("text file"));
-    assert!(refused(&[7, 200, 3, 0, 99]).contains("no known picture format"));
+    assert!(refused(&[7, 200, 3, 0, 99]).contains("unknown picture format"));
 }
 
 #[test]
 fn missing_files_and_folders_are_named() {
     let folder = tempfile::tempdir().unwrap();
-    assert!(read(&folder.path().join("none.png")).unwrap_err().problem().contains("no such file"));
+    assert!(read(&folder.path().join("none.png")).unwrap_err().problem().contains("does not exist"));
     assert!(read(folder.path()).unwrap_err().problem().contains("folder"));
 }

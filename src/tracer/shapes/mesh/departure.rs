@@ -1,4 +1,4 @@
-//! A ray that starts on the mesh must not hit the place it starts from.
+//! Departure from a mesh: a ray must not hit the point it starts from.
 
 use super::geometry::MeshGeometry;
 use super::triangle::TriangleHit;

@@ -1,4 +1,4 @@
-//! What a mesh is made of, as given.
+//! The input data of a mesh.
 
 use crate::error::{Error, Result};
 use crate::math::{DVec3, Vec2, Vec3};
@@ -119,7 +119,7 @@ impl Outside {
         match self {
             Self { open_edges: 0, volume } if *volume >= 0.0 => None,
             Self { open_edges: 0, .. } => {
-                Some("whose fronts face inwards: what is inside is taken for outside (turn its faces over)".to_owned())
+                Some("whose front sides face inwards: inside and outside are exchanged (reverse its faces)".to_owned())
             }
             Self { open_edges: 1, .. } => Some("with an open edge: it has no inside".to_owned()),
             Self { open_edges: count, .. } => Some(format!("with {count} open edges: it has no inside")),

@@ -1,7 +1,7 @@
 //! Triangle meshes: any number of triangles, hit by rays from both sides.
 //!
-//! A mesh is traced in its own space; who places it in the world carries the ray there and the hit back, so one mesh
-//! serves any number of instances.
+//! A mesh is traced in object space; the caller transforms the ray into it and the hit back, so one mesh serves any
+//! number of instances.
 
 mod departure;
 mod geometry;
@@ -54,7 +54,7 @@ impl Mesh {
         let all = 0..geometry.triangles.len() as u32;
         let solid: Vec<u32> = all.filter(|&triangle| geometry.area_vector(triangle) != DVec3::ZERO).collect();
         if solid.is_empty() {
-            return Err(Error::new("no triangle of the mesh has an area").expected("at least one that has"));
+            return Err(Error::new("all triangles of the mesh have zero area").expected("one triangle with an area"));
         }
         let boxes: Vec<FloatBox> = solid.iter().map(|&triangle| FloatBox::around(geometry.corners(triangle))).collect();
         let hierarchy = Hierarchy::build(&boxes);

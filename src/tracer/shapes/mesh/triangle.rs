@@ -1,4 +1,4 @@
-//! The watertight meeting of a ray and a triangle.
+//! Watertight intersection of a ray and a triangle.
 
 use crate::math::DVec3;
 

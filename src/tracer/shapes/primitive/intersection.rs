@@ -1,7 +1,7 @@
-//! Where a ray meets a shape placed in the world.
+//! Intersection of a ray and a shape placed in the world.
 //!
-//! Ways that few rays take stand in functions of their own, which get copies of rays and hits: whatever is handed to such a
-//! function by reference has to lie in memory, for the other rays, too.
+//! Rare cases are separate functions that take copies of rays and hits: an argument by reference would have to lie in
+//! memory, for all other rays, too.
 
 use super::super::flat::{Height, Outline};
 use super::super::mesh::Mesh;
@@ -53,8 +53,8 @@ impl Primitive {
         self.intersect_simple(ray, shape, limit).is_some()
     }
 
-    /// Distance and part of the nearest hit in `(0, limit)` of a shape that is no mesh; `None` for meshes. Quick for round
-    /// and flat shapes.
+    /// Distance and part of the nearest hit in `(0, limit)` of a shape other than a mesh; `None` for meshes. Quick for
+    /// round and flat shapes.
     #[inline(always)]
     fn intersect_simple(&self, ray: &Ray, shape: u32, limit: f64) -> Option<(f64, u32)> {
         match &self.kernel {

@@ -12,9 +12,9 @@
 //! ```
 //!
 //! `1 - cos m = sin^2 m / (1 + cos m)` does not cancel, however small or far the sphere. An affine map M carries a
-//! direction w of the world to `M^-1 w` and stretches solid angles by `|det M^-1| / |M^-1 w|^3`: the density in the world.
-//! That is 1 for round spheres; for ellipsoids nothing hidden is ever drawn either.
-//! (Pharr, Jakob, Humphreys: Physically Based Rendering, 4th ed., 6.2.4.)
+//! direction w of the world to `M^-1 w` and stretches solid angles by `|det M^-1| / |M^-1 w|^3`: the density in the
+//! world. That is 1 for round spheres; for ellipsoids no hidden point is ever sampled either. (Pharr, Jakob, Humphreys:
+//! Physically Based Rendering, 4th ed., 6.2.4.)
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! Shapes as light sources: points on them, drawn as seen from where their light arrives.
+//! Shapes as light sources: points on them, sampled as seen from the receiving point.
 //!
 //! Densities are by solid angle at the receiving point. An area `dA` at distance r, its normal at the angle theta to
 //! the line of sight, is seen under the solid angle `dA cos(theta) / r^2`, so a density by area is divided by that.
@@ -23,7 +23,7 @@ use ellipsoid::EllipsoidSampler;
 use mesh::MeshSampler;
 use parallelogram::ParallelogramSampler;
 
-/// Draws points of a shape that gives light. Built once for each such shape; holds all that is derived from it.
+/// Samples points on an emissive shape. Built once per emissive shape; holds all derived values.
 ///
 /// Geometry alone counts here: a point is drawn on whichever side of the surface it is seen from. Whether that side
 /// emits, the caller knows from `normal`; whether something is in between, from a shadow ray.

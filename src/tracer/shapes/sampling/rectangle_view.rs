@@ -1,4 +1,4 @@
-//! A rectangle as seen from a point: its solid angle, and places uniform in it.
+//! A rectangle as seen from a point: its solid angle, and points uniform in it.
 //!
 //! The rectangle lies parallel to the axes x and y at depth z below the viewer, from (x0, y0) to (x1, y1):
 //!

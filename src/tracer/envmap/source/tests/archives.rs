@@ -55,7 +55,7 @@ fn a_subfolder_of_an_archive_is_named_after_a_slash() {
           Day
           Night
           expected: one set of six faces
-          help: name the subfolder that is meant after a slash, as in .../Day
+          help: name the subfolder after a slash, as in .../Day
         ");
     let skybox = Skybox::open(&folder.path().join("sky.zip/Night")).unwrap();
     assert_eq!(skybox.images[0].name(), "sky.zip/Night/posx.png");

@@ -62,9 +62,9 @@ fn a_missing_face_is_named() {
           negy: nothing
           posz: posz.png
           negz: negz.png
-          passed over: ground.png
+          ignored: ground.png
           expected: one picture for each of the six faces
-          help: rename files, or move those that do not belong out of the way; a scene may also name the six files itself
+          help: rename files, or move the superfluous ones away; a scene may also name the six files itself
         ");
 }
 
@@ -81,7 +81,7 @@ fn a_double_face_is_named() {
           posz: posz.png
           negz: negz.png
           expected: one picture for each of the six faces
-          help: rename files, or move those that do not belong out of the way; a scene may also name the six files itself
+          help: rename files, or move the superfluous ones away; a scene may also name the six files itself
         ");
 }
 
@@ -117,10 +117,10 @@ fn faces_that_are_no_pictures_are_all_named() {
 fn what_is_not_there_is_said_plainly() {
     let folder = six_files();
     insta::assert_snapshot!(error_at(&folder, "nowhere"), @r"
-        [folder]/nowhere: no such file or folder
+        [folder]/nowhere: the file or folder does not exist
         ");
     insta::assert_snapshot!(error_at(&folder, "posx.png/night"), @r"
-        [folder]/posx.png/night: no such file or folder
+        [folder]/posx.png/night: the file or folder does not exist
         ");
 }
 

@@ -120,11 +120,11 @@ fn other_pictures_are_refused() {
     insta::assert_snapshot!(error_at(&folder, "panorama.png"), @r"
         [folder]/panorama.png: 8 x 4 pixels: an equirectangular picture, not six faces
           expected: six faces: a folder, a zip, a cross or strip, or an OpenEXR file with `envmap = cube`
-          help: a scene takes such a picture as its equirectangular environment
+          help: a scene can use it as an equirectangular environment
         ");
     fs::write(folder.path().join("cross.png"), plain(41, 30, 0)).unwrap();
     insta::assert_snapshot!(error_at(&folder, "cross.png"), @r"
-        [folder]/cross.png: 41 x 30 pixels: the shape tells no layout of six faces
+        [folder]/cross.png: 41 x 30 pixels: these proportions match no layout of six faces
           expected: a cross, strip or sheet whose cells are exactly square (horizontal cross 4:3, vertical cross 3:4, horizontal strip 6:1, vertical strip 1:6, sheet 3:2, sheet 2:3)
           help: if this is a horizontal cross 4:3, 40 x 30 or 44 x 33 pixels would be right
         ");
@@ -168,7 +168,7 @@ fn openexr_files_that_are_no_cube_are_refused() {
     insta::assert_snapshot!(error_at(&folder, "globe.exr"), @r"
         [folder]/globe.exr: 4 x 24 pixels: an equirectangular picture, not six faces
           expected: six faces: a folder, a zip, a cross or strip, or an OpenEXR file with `envmap = cube`
-          help: a scene takes such a picture as its equirectangular environment
+          help: a scene can use it as an equirectangular environment
         ");
 }
 

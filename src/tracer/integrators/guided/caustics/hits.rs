@@ -1,4 +1,4 @@
-//! The photon pass: beams of rays from the sources, and where they hit.
+//! The photon pass: beams of rays from the sources, and their hits.
 
 use super::chain::{Chain, ChainTracer};
 use super::emission::{Beam, Casters};

@@ -1,10 +1,10 @@
 //! Caustics: light that glass and mirrors focus onto other surfaces.
 //!
-//! A path from the camera finds a small source behind glass only by chance, which is why such light is noise for hours. So
-//! a photon pass sends rays from the source first. Where they hit a surface they leave photons, and a photon tells paths
-//! that come by later in which directions the light is seen from there. Those directions are only another way of choosing
-//! rays, with a known density, weighted against the material's own choice: the picture stays unbiased, whatever the photons
-//! say (Jensen, Importance Driven Path Tracing Using the Photon Map, 1995; with photon differentials in place of a count of
+//! A path from the camera finds a small source behind glass only by chance, so this light stays noisy for hours. A
+//! photon pass therefore traces rays from the source first and stores photons at their hits. A photon gives later paths
+//! the directions in which the light is seen from there. These directions are another sampling strategy with a known
+//! density, weighted against the material's own strategy: the picture stays unbiased, whatever the photons say (Jensen,
+//! Importance Driven Path Tracing Using the Photon Map, 1995; with photon differentials in place of a count of
 //! photons).
 
 mod chain;
@@ -156,7 +156,7 @@ impl<'g> Directions<'g> {
         (chain, of_chain, (left / of_chain).min(1.0 - f64::EPSILON))
     }
 
-    /// What each photon foresees; none where there is no photon.
+    /// The prediction of each photon; `None` without a photon.
     #[inline]
     fn forecasts(&self, photons: &[Photon]) -> [Forecast; HANDFUL] {
         let mut forecasts = [Forecast::default(); HANDFUL];

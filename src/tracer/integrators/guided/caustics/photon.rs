@@ -1,4 +1,4 @@
-//! A photon: a place that focused light hit, and the directions it comes from around there.
+//! A photon: a hit of focused light, and the directions of that light nearby.
 //!
 //! ```text
 //!            glass                   A photon at y saw the light in the direction w. At a place x nearby the light is
@@ -33,11 +33,11 @@ pub(super) struct Photon {
     /// Number of the specular chain of the light, and the share of it that took it.
     pub chain: u32,
     pub share: f64,
-    /// How fast the image leaves the place that is foreseen: distance on the plane per squared distance from y.
+    /// How fast the image leaves its predicted place: distance on the plane per squared distance from y.
     pub drift: f64,
 }
 
-/// What a photon foresees at a place: the middle and the half axes of the image on its plane.
+/// The prediction of a photon at a point: the centre and the half axes of the image on its plane.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Forecast {
     middle: [f64; 2],
@@ -53,7 +53,7 @@ impl Photon {
         let offset = point - self.position;
         let steps = self.along.map(|along| along.dot(offset));
         let middle = [0, 1].map(|axis| self.jacobian[0][axis] * steps[0] + self.jacobian[1][axis] * steps[1]);
-        // A direction foreseen far away is no forecast.
+        // A direction predicted far away is not a prediction.
         let near = middle[0] * middle[0] + middle[1] * middle[1] < WIDEST * WIDEST;
         let blur = self.drift * offset.length_squared();
         let half = self.half.map(|half| (half + blur).clamp(NARROWEST, WIDEST));

@@ -1,4 +1,4 @@
-//! Path signatures: which mirrors and glasses light meets, one after the other, and which it passes.
+//! Path signatures: the mirrors and glasses along a light path, and the events there.
 
 /// One meeting with glass or a mirror.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,4 +1,4 @@
-//! How a beam of light spreads along its chain: what a photon knows beyond its own place and direction.
+//! The spread of a beam along its chain: what a photon stores besides position and direction.
 
 use super::chain::{Chain, ChainTracer, PhotonHit};
 use super::emission::Beam;

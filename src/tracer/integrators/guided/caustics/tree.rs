@@ -1,4 +1,4 @@
-//! Photons in boxes: every place has a handful of them.
+//! A tree of photons, for the few photons near a point.
 
 use super::photon::Photon;
 use crate::math::{Bounds, DVec3};

@@ -40,7 +40,7 @@ pub struct ObjMaterial {
 pub struct ObjMap {
     /// Joined to the folder of the MTL file.
     pub file: PathBuf,
-    /// `-s`: pictures a unit of the texture coordinates.
+    /// `-s`: pictures per unit of the texture coordinates.
     pub repeat: [f64; 2],
 }
 
@@ -57,7 +57,7 @@ pub struct ObjMaterials {
 
 /// What to do about a material that is missing.
 const HELP: &str =
-    "put the MTL file where the OBJ file's `mtllib` line says, or give the shape a `material` of the scene";
+    "put the MTL file where the `mtllib` line of the OBJ file points, or give the shape a `material` of the scene";
 
 impl ObjMaterials {
     /// The materials of the groups of an OBJ file at `path`, from the libraries that it names.
@@ -125,7 +125,7 @@ impl Libraries {
         self.finish(material);
         if let Some((line, keyword, rest)) = odd {
             let statement = format!("{keyword} {}", shortened(rest));
-            let read = "numbers with something behind them are read without that";
+            let read = "characters after a number are ignored";
             self.remarks.push(format!("{}:{line}: \"{statement}\": {read}", file.display()));
         }
         Ok(())
@@ -155,7 +155,7 @@ impl Libraries {
             return Err(missing.clone());
         }
         let known = match &self.names[..] {
-            [] => "a `mtllib` line that names a file with this material".to_owned(),
+            [] => "a `mtllib` line for a file with this material".to_owned(),
             names => format!("one of {}", listed(names)),
         };
         Err(Error::new(format!("no material \"{}\"", shortened(name))).at_line(mention.line).expected(known).help(HELP))
@@ -234,7 +234,7 @@ impl ObjMaterial {
         Ok(goodwill)
     }
 
-    /// A picture's name behind its options; those that are not heeded are noted.
+    /// A picture's name behind its options; those that are ignored are noted.
     fn read_map(&mut self, rest: &str, folder: &Path) -> Result<ObjMap> {
         let mut repeat = [1.0, 1.0];
         let mut left = rest.trim_ascii();
@@ -246,8 +246,8 @@ impl ObjMaterial {
                 "-blendu" | "-blendv" | "-boost" | "-texres" | "-clamp" | "-bm" | "-imfchan" | "-type" | "-cc" => 1,
                 _ => {
                     return Err(Error::new(format!("found \"map_Kd {}\"", shortened(rest)))
-                        .expected("a file name behind options of the format")
-                        .help("take the options out of the line"));
+                        .expected("a file name after options of the format")
+                        .help("remove the options from the line"));
                 }
             };
             let is_number = |word: &str| number(word).is_some();

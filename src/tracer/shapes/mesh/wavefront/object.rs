@@ -164,7 +164,7 @@ impl Reader {
         for word in words(rest) {
             let (value, odd) = number(word).ok_or_else(refused)?;
             if odd {
-                self.odd(line, "a number with something behind it is read without that")?;
+                self.odd(line, "characters after a number are ignored")?;
             }
             if count < MOST {
                 numbers[count] = value;
@@ -321,8 +321,8 @@ fn resolved(index: i64, count: usize) -> Option<u32> {
 
 fn range(count: usize) -> String {
     match count {
-        0 => "none: no such line comes before it".to_owned(),
-        _ => format!("1 to {count}, or -1 to -{count}: so many are defined before this line"),
+        0 => "none: no line of this kind comes before it".to_owned(),
+        _ => format!("1 to {count}, or -1 to -{count}: {count} are defined before this line"),
     }
 }
 

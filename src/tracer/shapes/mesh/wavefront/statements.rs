@@ -1,4 +1,4 @@
-//! The statements of an OBJ or MTL file: one a line, a keyword and words.
+//! The statements of an OBJ or MTL file: a keyword and words, one statement per line.
 
 use std::borrow::Cow;
 use std::path::Path;

@@ -1,4 +1,4 @@
-//! Pictures laid otherwise, and written without loss.
+//! Pictures in another orientation, and their lossless output.
 
 use super::{Format, OutputFormat, Picture, PngDepth, Samples, Texels, WriteOptions, encode, encode_png};
 use crate::colour::ToneMap;
