@@ -72,7 +72,7 @@ fn shots_do_not_go_among_the_pictures_of_a_map_in_a_subfolder() {
     }
     let (code, _, error) = outcome(folder.path(), &["shots", "outer", "--size", "16", "-o", "outer/inner"]);
     assert_eq!(code, Some(2));
-    assert!(error.contains("files that are read lie in this folder"), "{error}");
+    assert!(error.contains("this folder holds files that the command reads"), "{error}");
 }
 
 #[test]
