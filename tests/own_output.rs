@@ -36,7 +36,7 @@ fn a_second_run_replaces_the_first_and_no_rival_is_left_beside() {
         std::fs::rename(folder.path().join("out/posy.png"), folder.path().join("out/POSY.tga")).unwrap();
         let (code, _, error) = run();
         assert_eq!(code, Some(2), "{command:?}");
-        assert!(error.contains("POSY.tga: out/posy.png would lie beside it"), "{error}");
+        assert!(error.contains("POSY.tga: out/posy.png would be beside it"), "{error}");
     }
 }
 
@@ -47,7 +47,7 @@ fn shots_replace_no_pictures_without_their_contact_sheet() {
     let compass = project("envmaps/compass");
     let (code, _, error) = outcome(folder.path(), &["shots", compass.to_str().unwrap(), "--size", "16", "-o", "mine"]);
     assert_eq!(code, Some(2));
-    assert!(error.contains("posx.png: this picture is already there"), "{error}");
+    assert!(error.contains("posx.png: this picture exists already"), "{error}");
 }
 
 #[test]
