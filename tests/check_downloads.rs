@@ -157,7 +157,7 @@ fn six_square_pictures_are_one_map() {
     // As a folder the names say nothing: the pixels put the pictures in order, and that is said.
     let output = skycube(&folder, &["check", "sky"]);
     let report = text(&output.stdout);
-    assert!(report.contains("fits") && report.contains("the names of the files do not tell the faces"), "{report}");
+    assert!(report.contains("fits") && report.contains("the names of the files do not identify the faces"), "{report}");
     let drawn = skycube(&folder, &["cross", "sky", "-o", "cross.png", "--cell", "64"]);
     assert_eq!(drawn.status.code(), Some(0), "{}", text(&drawn.stderr));
 }

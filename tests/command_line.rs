@@ -79,7 +79,7 @@ fn a_map_for_a_scene_that_shows_none_is_refused() {
     let without = LESSON.replace("environment-with.toml", "environment-without.toml");
     let output = skycube(folder.path(), &["render", &without, "--environment", "nowhere.zip"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(text(&output.stderr).contains("no map that could be replaced"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("no map to replace"), "{}", text(&output.stderr));
     assert_eq!(files(folder.path()), [""; 0]);
 }
 

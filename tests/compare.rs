@@ -292,7 +292,7 @@ fn nothing_is_left_where_nothing_was_undone() {
     // All of the picture is no place in it.
     let tone = |light: f32| Raster::filled(64, 48, Vec3::splat(light));
     let all = report(&tone(0.0), &tone(1.0));
-    assert!(all.contains("the difference is all over the picture") && !all.contains("elsewhere"), "{all}");
+    assert!(all.contains("the difference covers the whole picture") && !all.contains("elsewhere"), "{all}");
 }
 
 #[test]

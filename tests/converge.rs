@@ -321,7 +321,7 @@ fn what_cannot_run_says_why_and_writes_nothing() {
         (&["lamp.toml", "--vary", "strategy=mis,mis"], "mis is given twice"),
         (&["lamp.toml", "--compare", "depths", "--vary", "depth=1,2"], "depth is varied twice"),
         (&["lamp.toml", "--compare", "lookups"], "no cube map"),
-        (&["whitted.toml", "--compare", "strategies"], "nothing is rendered by the path tracer"),
+        (&["whitted.toml", "--compare", "strategies"], "no scene uses the path tracer"),
         (&["missing.toml"], "missing.toml"),
     ];
     for (arguments, complaint) in cases {
@@ -330,7 +330,7 @@ fn what_cannot_run_says_why_and_writes_nothing() {
         assert!(text(&output.stderr).contains(complaint), "{arguments:?}: {}", text(&output.stderr));
     }
     let output = skycube(folder.path(), &["converge", "lamp.toml", "-o", "."]);
-    assert!(text(&output.stderr).contains("it is not written to"), "{}", text(&output.stderr));
+    assert!(text(&output.stderr).contains("nothing is written to it"), "{}", text(&output.stderr));
     let names = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
     assert_eq!(names.count(), 2, "nothing was written");
 }

@@ -63,7 +63,7 @@ fn a_lesson_is_copied_once_and_nothing_is_overwritten() {
     std::fs::remove_file(folder.path().join("mine/README.md")).unwrap();
     let (code, _, error) = run(&["-o", "mine"]);
     assert_eq!(code, Some(2));
-    assert!(error.contains("posx.txt: this file is there already"), "{error}");
+    assert!(error.contains("posx.txt: this file exists already"), "{error}");
     assert_eq!(copied("maps/posx.txt"), "my own");
     assert!(!folder.path().join("mine/README.md").exists());
     let (code, ..) = run(&[]);

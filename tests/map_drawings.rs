@@ -142,7 +142,7 @@ fn shots_do_not_overwrite_what_may_be_the_students_own() {
     let arguments = ["shots", map.to_str().unwrap(), "-o", ".", "--size", "16"];
     let output = skycube(folder.path(), &arguments);
     assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("posy.png: this picture is already there"));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("posy.png: this picture exists already"));
     assert_eq!(std::fs::read(&mine).unwrap(), b"mine");
     std::fs::remove_file(&mine).unwrap();
     // Its own shots are replaced.

@@ -36,7 +36,7 @@ fn a_second_run_replaces_the_first_and_no_rival_is_left_beside() {
         std::fs::rename(folder.path().join("out/posy.png"), folder.path().join("out/POSY.tga")).unwrap();
         let (code, _, error) = run();
         assert_eq!(code, Some(2), "{command:?}");
-        assert!(error.contains("POSY.tga: out/posy.png would lie beside it"), "{error}");
+        assert!(error.contains("POSY.tga: out/posy.png would be beside it"), "{error}");
     }
 }
 
@@ -47,7 +47,7 @@ fn shots_replace_no_pictures_without_their_contact_sheet() {
     let compass = project("envmaps/compass");
     let (code, _, error) = outcome(folder.path(), &["shots", compass.to_str().unwrap(), "--size", "16", "-o", "mine"]);
     assert_eq!(code, Some(2));
-    assert!(error.contains("posx.png: this picture is already there"), "{error}");
+    assert!(error.contains("posx.png: this picture exists already"), "{error}");
 }
 
 #[test]
@@ -72,7 +72,7 @@ fn shots_do_not_go_among_the_pictures_of_a_map_in_a_subfolder() {
     }
     let (code, _, error) = outcome(folder.path(), &["shots", "outer", "--size", "16", "-o", "outer/inner"]);
     assert_eq!(code, Some(2));
-    assert!(error.contains("files that are read lie in this folder"), "{error}");
+    assert!(error.contains("this folder holds files that the command reads"), "{error}");
 }
 
 #[test]

@@ -189,7 +189,7 @@ fn the_report_says_how_seams_are_judged_and_counts_in_good_grammar() {
     let swapped = faulty(|images| images.swap(0, 2));
     let report = CheckReport::new("swapped".to_owned(), &swapped).to_string();
     let count = "equally good orientations: 48; the simplest one is shown, seams cannot tell them apart";
-    assert!(report.contains(count) && report.contains("turned and mirrored in 48 ways"), "{report}");
+    assert!(report.contains(count) && report.contains("has 48 rotations and mirrorings"), "{report}");
 }
 
 #[test]

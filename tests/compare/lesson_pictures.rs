@@ -175,7 +175,7 @@ fn other_tones_in_the_right_places_are_no_other_scene() {
         assert!(outlines > 0.75 && inverted > least, "{outlines} {inverted}");
         assert_eq!(comparison.verdict(true), Verdict::Differs);
         let text = text(&comparison);
-        assert!(text.contains("Everything stands in its place") && !text.contains("field of view"), "{text}");
+        assert!(text.contains("All outlines are in place") && !text.contains("field of view"), "{text}");
     }
 }
 

@@ -159,7 +159,7 @@ fn a_preset_in_the_code_is_named() {
 
     let text = graded(&["--lookup", "humus-z-up"], &[]);
     println!("{text}");
-    assert!(text.contains("the lookup course (world up +z) (the default, because --lookup was not given)"), "{text}");
+    assert!(text.contains("the lookup course (world up +z), the default because --lookup was not given"), "{text}");
     assert!(text.contains("your code contains exactly the preset humus-z-up"), "{text}");
     assert!(text.contains("use --lookup humus-z-up if you meant that one"), "{text}");
     let right = graded(&["--lookup", "humus-z-up"], &["--lookup", "humus-z-up"]);

@@ -8,7 +8,7 @@ fn one_case_is_told_step_by_step() {
     let output = skycube(folder.path(), &["stress", "--case", "nested", "--rays", "1000"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
     let report = text(&output.stdout);
-    assert!(report.contains("nested: error of rays that go through a wrong glass"), "{report}");
+    assert!(report.contains("nested: error of rays through a wrong glass"), "{report}");
     assert!(report.contains("beyond the bound, and not promised") && output.stderr.is_empty(), "{report}");
 }
 

@@ -166,7 +166,7 @@ impl GradeReport<'_> {
 
 impl fmt::Display for GradeReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let because = if self.lookup_given { "" } else { " (the default, because --lookup was not given)" };
+        let because = if self.lookup_given { "" } else { ", the default because --lookup was not given" };
         writeln!(
             formatter,
             "shots of {} by your code, which should have the lookup {} (world up {}){because}",

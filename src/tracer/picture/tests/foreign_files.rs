@@ -28,7 +28,7 @@ fn say_what_they_are() {
       expected: a JPEG, PNG, TGA, BMP, WebP, TIFF, HDR, OpenEXR or PPM picture
       help: write it again if your own program did, otherwise download it again
     ");
-    assert!(refused(&[0; 1000]).contains("nothing but zero bytes"));
+    assert!(refused(&[0; 1000]).contains("only zero bytes"));
     assert!(refused(b"PK\x03\x04....").contains("zip archive"));
     assert!(refused(b"GIF89a").contains("GIF"));
     assert!(refused(b"Hello, this is the readme.").contains("text file"));
