@@ -3,185 +3,22 @@
 use super::borders::border::{Borders, read_borders};
 use super::borders::edge::EdgeBorders;
 use super::borders::pair_cost::PairCosts;
-use super::notes::{self, Note};
+use super::findings::{Check, FaceFix, Fix, ImageFacts};
+use super::notes;
+use super::options::{CheckOptions, Names};
 use super::outlier::{self, Outlier};
 use super::seam::{self, Seam};
 use super::search::arrangement::{Arrangement, Problem};
-use super::search::convention::mirrored_faces;
-use super::search::convention::{self, Convention, Hints};
+use super::search::convention::{self, Hints, mirrored_faces};
 use super::sky::Sky;
-use super::solve::{Search, Solution, Unsettled, corrected};
-use super::story::Story;
+use super::solve::{Search, Solution, Unsettled};
 use super::thresholds::verdict::{TELLING_FACES, UNDECIDABLE_SEAMS, UNRELATED};
+use super::verdict::Verdict;
 use crate::envmap::source::Skybox;
-use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Orientation, Preset, SignedAxis};
+use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset};
 use crate::error::Result;
 use crate::parallel;
-use crate::picture::{Format, Picture};
-
-/// What a map, or one seam of it, is found to be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Verdict {
-    /// No other orientation is decisively better, and the pixels would tell.
-    Fits,
-    /// Another orientation fits decisively better, or a face does not belong.
-    Broken,
-    /// The pixels cannot tell.
-    Undecidable,
-}
-
-impl Verdict {
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Fits => "fits",
-            Self::Broken => "broken",
-            Self::Undecidable => "undecidable",
-        }
-    }
-}
-
-/// Whether images may change places.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Names {
-    /// Only if nothing else closes the seams.
-    #[default]
-    Auto,
-    /// Never.
-    Trusted,
-    /// As if the names meant nothing.
-    AnyOrder,
-}
-
-/// What the user says about the map.
-#[derive(Debug, Clone, Default)]
-pub struct CheckOptions {
-    /// The axis that points up in the user's world, if named.
-    pub world_up: Option<SignedAxis>,
-    pub names: Names,
-    /// What the report calls the lookup.
-    pub lookup_name: String,
-}
-
-/// An image as the report lists it.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ImageFacts {
-    /// The name of the image.
-    pub face: Face,
-    pub file: String,
-    pub width: usize,
-    pub height: usize,
-    pub format: Format,
-    pub alpha: bool,
-}
-
-impl ImageFacts {
-    /// The six images of a skybox.
-    pub fn of_skybox(skybox: &Skybox) -> Vec<Self> {
-        let facts = |face: Face| {
-            let image = skybox.image(face);
-            let header = image.header();
-            Self {
-                face,
-                file: image.name().to_owned(),
-                width: header.width,
-                height: header.height,
-                format: header.format,
-                alpha: header.alpha,
-            }
-        };
-        Face::ALL.map(facts).to_vec()
-    }
-}
-
-/// The report on one map.
-#[derive(Debug, Clone)]
-pub struct Check {
-    pub images: Vec<ImageFacts>,
-    pub lookup: Lookup,
-    pub lookup_name: String,
-    pub verdict: Verdict,
-    /// The twelve seams as they are.
-    pub seams: Vec<Seam>,
-    pub fix: Fix,
-    /// Faces whose image belongs to no place in this map.
-    pub outliers: Vec<Outlier>,
-    /// The faces that the given lookup shows mirrored in a right-handed world.
-    pub mirrored: Vec<Face>,
-    pub notes: Vec<Note>,
-}
-
-/// What to change.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Fix {
-    pub faces: [FaceFix; 6],
-    /// Faces that change.
-    pub changes: usize,
-    /// What happened to the files.
-    pub story: Story,
-    /// Other stories that are as short and close the seams as well.
-    pub also: Vec<Story>,
-    /// The standard errors by which the next essentially different orientation is worse; 0 if none is.
-    pub margin: f64,
-    pub seams_after: Vec<Seam>,
-    /// Fixes that are equally good, this one among them.
-    pub equivalents: usize,
-}
-
-/// What to change at one face.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct FaceFix {
-    pub face: Face,
-    /// The image that the face shall read.
-    pub image: Face,
-    /// (u', v') as functions of the (u, v) that the given lookup computes.
-    pub orientation: Orientation,
-    /// True if the pixels decide this orientation: every other one is decisively worse.
-    pub decided: bool,
-}
-
-impl FaceFix {
-    /// True if the face keeps its image and its orientation.
-    pub fn is_unchanged(&self, given: &Lookup) -> bool {
-        self.image == given.row(self.face).image && self.orientation == Orientation::IDENTITY
-    }
-}
-
-impl Check {
-    /// What no change repairs: faces that do not belong or have the wrong size.
-    pub fn unrepaired(&self) -> Vec<&Note> {
-        let unrepaired =
-            |note: &&Note| matches!(note, Note::Outlier { .. } | Note::NotSquare { .. } | Note::Sizes { .. });
-        self.notes.iter().filter(unrepaired).collect()
-    }
-
-    /// True if all six images are square and of one size: no graphics library takes others as a cube map.
-    pub fn has_equal_squares(&self) -> bool {
-        let size = self.images[0].width;
-        self.images.iter().all(|image| (image.width, image.height) == (size, size))
-    }
-}
-
-impl Fix {
-    /// The known order that these files follow, if the story names one.
-    pub fn convention(&self) -> Option<Convention> {
-        self.story.order
-    }
-
-    /// The corrected lookup.
-    pub fn lookup(&self, given: &Lookup) -> Lookup {
-        corrected(given, &self.arrangement())
-    }
-
-    fn arrangement(&self) -> Arrangement {
-        let index =
-            |orientation: Orientation| Orientation::ALL.iter().position(|&known| known == orientation).unwrap_or(0);
-        Arrangement {
-            images: self.faces.map(|face| face.image),
-            orientations: self.faces.map(|face| index(face.orientation)),
-        }
-    }
-}
+use crate::picture::Picture;
 
 /// Decodes all six images at once. The first one that cannot be decoded is the error.
 pub fn load(skybox: &Skybox, lookup: Lookup) -> Result<CubeMap> {

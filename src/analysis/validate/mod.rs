@@ -18,20 +18,27 @@
 
 mod borders;
 mod check;
+mod findings;
+mod note;
 mod notes;
+mod options;
 mod outlier;
 mod seam;
-pub(crate) mod search;
+mod search;
 mod sky;
 mod solve;
 mod story;
 mod thresholds;
+mod verdict;
 
 pub use borders::edge::{Edge, Side};
-pub use check::{Check, CheckOptions, FaceFix, Fix, ImageFacts, Names, Verdict, check, load};
-pub use notes::Note;
+pub use check::{check, load};
+pub use findings::{Check, FaceFix, Fix, ImageFacts};
+pub use note::Note;
+pub use options::{CheckOptions, Names};
 pub use outlier::{Outlier, Reason};
 pub use seam::Seam;
 pub use search::convention::Convention;
 pub use search::convention::mirrored_faces;
 pub use story::Story;
+pub use verdict::Verdict;

@@ -1,10 +1,10 @@
 //! The seams as the report shows them: step, detail, score and verdict of the twelve edges.
 
-use super::Verdict;
 use super::borders::border::{ImageBorders, Row, mean_step};
 use super::borders::edge::{Border, Edge};
 use super::search::arrangement::{Arrangement, Problem};
 use super::thresholds::seam::{BROKEN_COST, BROKEN_FACTOR, LEAST_DETAIL, UNDECIDED};
+use super::verdict::Verdict;
 
 /// One edge under one lookup.
 #[derive(Debug, Clone, PartialEq)]

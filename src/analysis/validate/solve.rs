@@ -1,21 +1,21 @@
 //! From the cheapest arrangement to the fix: the shortest story that the pixels do not contradict.
 
-use super::Names;
 use super::borders::border::Borders;
 use super::borders::edge::{Edge, EdgeBorders};
 use super::borders::pair_cost::PairCosts;
+use super::options::Names;
 use super::outlier::{self, Outlier, Reason};
 use super::seam::measure;
 use super::search::arrangement::{Arrangement, Problem};
 use super::search::branch_and_bound::{Freedom, cheapest};
-use super::search::convention::mirrored_faces;
+use super::search::convention::{Order, mirrored_faces};
 use super::search::symmetry::Symmetry;
 use super::sky::Sky;
-use super::story::{Order, Story, with_faults};
+use super::story::{Story, with_faults};
 use super::thresholds::verdict::{
     EDITED_ORIENTATIONS, REPAIRED, TELLING_FACES, TELLING_ORIENTATIONS, TORN_STEP, UNRELATED,
 };
-use crate::envmap::{CubeMap, Face, FaceLookup, Lookup, Orientation, SignedAxis};
+use crate::envmap::{CubeMap, Face, Lookup, Orientation, SignedAxis};
 use crate::error::Result;
 
 /// The answer of the search.
@@ -262,7 +262,7 @@ impl Search<'_> {
         let changed = |&face: &usize| {
             arrangement.images[face] != given.images[face] || arrangement.orientations[face] != given.orientations[face]
         };
-        let lookup = corrected(self.lookup, arrangement);
+        let lookup = arrangement.corrected(self.lookup);
         let sky_below = -self.sky.above(&lookup, self.world_up);
         let changes = (0..6).filter(changed).count();
         (sky_below, changes, mirrored_faces(&lookup).len(), *arrangement)
@@ -286,15 +286,6 @@ fn variants(best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<Arrangement> {
             .collect();
     }
     variants
-}
-
-/// The lookup that an arrangement amounts to.
-pub fn corrected(lookup: &Lookup, arrangement: &Arrangement) -> Lookup {
-    let rows = Face::ALL.map(|face| FaceLookup {
-        image: arrangement.images[face.index()],
-        ..arrangement.orientation(face).of_row(lookup.row(face))
-    });
-    Lookup::new(rows, lookup.v_origin()).expect("a laid row spans its face")
 }
 
 impl Search<'_> {

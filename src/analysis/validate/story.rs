@@ -7,7 +7,7 @@
 use std::fmt;
 
 use super::search::arrangement::Arrangement;
-use super::search::convention::Convention;
+use super::search::convention::{Convention, Order};
 use crate::envmap::{Face, Orientation};
 
 /// Two files of opposite faces in each other's place: left and right, front and back, top and bottom are easily mixed up.
@@ -20,15 +20,6 @@ const TURN: u32 = 30;
 const FLIP: u32 = 40;
 /// A mirroring about a diagonal, which nobody does by mistake.
 const DIAGONAL: u32 = 50;
-
-/// An order that files may follow, and what it costs to assume it.
-#[derive(Debug, Clone, Copy)]
-pub struct Order {
-    /// `None` for the order of the lookup itself.
-    pub convention: Option<Convention>,
-    pub arrangement: Arrangement,
-    pub cost: u32,
-}
 
 /// An order, and the faults on top of it.
 #[derive(Debug, Clone, PartialEq, Eq)]

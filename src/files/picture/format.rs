@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use super::netpbm;
 use crate::choice::name_of;
 
 /// The file formats that are read.
@@ -87,7 +86,7 @@ impl Format {
         if encoded.starts_with(b"RIFF") && encoded.get(8..12) == Some(b"WEBP") {
             return Some(Format::WebP);
         }
-        if netpbm::is_netpbm(encoded) {
+        if is_netpbm(encoded) {
             return Some(if encoded[1].is_ascii_digit() { Format::Ppm } else { Format::Pfm });
         }
         let named_tga = Self::of_extension(name) == Some(Format::Tga);
@@ -95,6 +94,11 @@ impl Format {
         (header_fits && (named_tga || is_signed_tga(encoded) || Self::of_extension(name).is_none()))
             .then_some(Format::Tga)
     }
+}
+
+/// True if the bytes begin like one of these files.
+fn is_netpbm(encoded: &[u8]) -> bool {
+    matches!(encoded, [b'P', b'1'..=b'6' | b'F' | b'f', blank, ..] if blank.is_ascii_whitespace())
 }
 
 /// True if the 18 bytes of a TGA header have values that the format allows (Truevision TGA 2.0, section C).

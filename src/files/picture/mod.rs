@@ -4,6 +4,7 @@
 
 mod colour_space;
 mod decode;
+mod decoded;
 mod encoders;
 mod foreign;
 mod format;
@@ -22,7 +23,8 @@ mod still;
 mod tiff_tags;
 
 pub use colour_space::ColourSpace;
-pub use decode::{Decoded, Samples, decode, read, read_file_header, read_header};
+pub use decode::{decode, read, read_file_header, read_header};
+pub use decoded::{Decoded, Samples};
 pub use encoders::{encode_hdr, encode_jpeg};
 pub use format::Format;
 pub use header::Header;

@@ -15,11 +15,6 @@ struct Start<'a> {
     rest: &'a [u8],
 }
 
-/// True if the bytes begin like one of these files.
-pub fn is_netpbm(encoded: &[u8]) -> bool {
-    matches!(encoded, [b'P', b'1'..=b'6' | b'F' | b'f', blank, ..] if blank.is_ascii_whitespace())
-}
-
 pub fn read_header(encoded: &[u8]) -> Result<Header> {
     start(encoded).map(|start| start.header)
 }

@@ -6,8 +6,11 @@ use obvhs::bvh2::leaf_collapser::collapse;
 use obvhs::bvh2::reinsertion::ReinsertionOptimizer;
 use obvhs::ploc::{PlocBuilder, PlocSearchDistance, SortPrecision};
 
-use super::{FloatBox, LEAF_CAPACITY};
+use super::FloatBox;
 use crate::math::Vec3;
+
+/// The most boxes a leaf holds.
+pub const LEAF_CAPACITY: usize = 4;
 
 /// Share of the nodes that the optimiser tries to move to a better place.
 const REINSERTED: f32 = 0.05;

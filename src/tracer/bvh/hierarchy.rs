@@ -6,16 +6,13 @@ use super::merge::Merge;
 use super::node::Node;
 use crate::memory::on_large_pages;
 
-/// The most boxes a leaf holds.
-pub const LEAF_CAPACITY: usize = 4;
-
 /// The most nodes on a path from the root; deeper trees are replaced by a balanced one.
 pub(super) const DEPTH_LIMIT: usize = 32;
 
 /// Binary trees deeper than this are not even merged (and cannot exhaust the recursion).
 const BINARY_DEPTH_LIMIT: usize = DEPTH_LIMIT * 8;
 
-/// A tree of boxes whose leaves hold at most [`LEAF_CAPACITY`] of those it was built over.
+/// A tree of boxes whose leaves hold at most [`LEAF_CAPACITY`](super::LEAF_CAPACITY) of those it was built over.
 #[derive(Debug, Clone)]
 pub struct Hierarchy {
     pub(super) nodes: Vec<Node>,
@@ -57,9 +54,8 @@ impl Hierarchy {
             return None;
         }
         let bounds = tree.nodes.first().map_or(FloatBox::EMPTY, |root| root.0);
-        let empty = Self { nodes: vec![Node::EMPTY], bounds, leaf_starts: vec![0], order: Vec::new() };
-        let (hierarchy, depth) = Merge::new(&tree, empty).run();
-        (depth <= DEPTH_LIMIT).then(|| hierarchy.on_large_pages())
+        let Merge { nodes, leaf_starts, order, deepest, .. } = Merge::of(&tree);
+        (deepest <= DEPTH_LIMIT).then(|| Self { nodes, bounds, leaf_starts, order }.on_large_pages())
     }
 
     /// The same with its nodes, which rays visit at random, on large pages.

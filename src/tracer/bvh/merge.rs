@@ -1,13 +1,12 @@
 //! Wide nodes from a binary tree.
 
-use super::Hierarchy;
 use super::binary::{BinaryNode, BinaryTree};
 use super::node::{Child, Node, WIDTH};
 
 /// Of one subtree the least cost of all wide nodes in it, if its parent has room for 1, 2, ... of its parts.
 type Costs = [f32; WIDTH];
 
-/// The merging of a binary tree into a hierarchy.
+/// The merging of a binary tree into the nodes and leaves of a hierarchy.
 ///
 /// A wide node holds some binary nodes below another, chosen so that a random ray visits the fewest nodes:
 ///
@@ -26,22 +25,25 @@ type Costs = [f32; WIDTH];
 pub(super) struct Merge<'a> {
     tree: &'a BinaryTree,
     costs: Vec<Costs>,
-    hierarchy: Hierarchy,
-    deepest: usize,
+    /// Node 0 is the root.
+    pub(super) nodes: Vec<Node>,
+    /// Where the leaves begin in `order`, and where the last one ends.
+    pub(super) leaf_starts: Vec<u32>,
+    /// Numbers of the boxes, leaf by leaf.
+    pub(super) order: Vec<u32>,
+    /// The number of nodes on the longest path from the root.
+    pub(super) deepest: usize,
 }
 
 impl<'a> Merge<'a> {
-    /// Prepares the merging into a hierarchy of one empty node.
-    pub(super) fn new(tree: &'a BinaryTree, hierarchy: Hierarchy) -> Self {
-        Self { tree, costs: costs(tree), hierarchy, deepest: 1 }
-    }
-
-    /// The hierarchy, and the number of nodes on its longest path.
-    pub(super) fn run(mut self) -> (Hierarchy, usize) {
-        if !self.tree.nodes.is_empty() {
-            self.fill(0, 0, 1);
+    /// Merges a tree. That of nothing becomes one empty node.
+    pub(super) fn of(tree: &'a BinaryTree) -> Self {
+        let nodes = vec![Node::EMPTY];
+        let mut merge = Self { tree, costs: costs(tree), nodes, leaf_starts: vec![0], order: Vec::new(), deepest: 1 };
+        if !tree.nodes.is_empty() {
+            merge.fill(0, 0, 1);
         }
-        (self.hierarchy, self.deepest)
+        merge
     }
 
     /// Fills node `index` with what the binary node opens up to.
@@ -53,9 +55,9 @@ impl<'a> Merge<'a> {
             BinaryNode::Inner { left, right } => self.share(left, right, WIDTH, &mut members),
         }
         let kinds = members.iter().map(|&member| self.tree.nodes[member]);
-        let mut next = self.hierarchy.nodes.len();
+        let mut next = self.nodes.len();
         let inner = kinds.clone().filter(|(_, kind)| matches!(kind, BinaryNode::Inner { .. })).count();
-        self.hierarchy.nodes.resize(next + inner, Node::EMPTY);
+        self.nodes.resize(next + inner, Node::EMPTY);
         for (slot, (&member, (bounds, kind))) in members.iter().zip(kinds).enumerate() {
             let child = match kind {
                 BinaryNode::Leaf { first, count } => self.leaf(first, count),
@@ -65,7 +67,7 @@ impl<'a> Merge<'a> {
                     Child::node(next - 1)
                 }
             };
-            self.hierarchy.nodes[index].set(slot, &bounds, child);
+            self.nodes[index].set(slot, &bounds, child);
         }
     }
 
@@ -87,9 +89,9 @@ impl<'a> Merge<'a> {
     }
 
     fn leaf(&mut self, first: usize, count: usize) -> Child {
-        let number = self.hierarchy.leaf_count();
-        self.hierarchy.order.extend_from_slice(&self.tree.order[first..first + count]);
-        self.hierarchy.leaf_starts.push(self.hierarchy.order.len() as u32);
+        let number = self.leaf_starts.len() - 1;
+        self.order.extend_from_slice(&self.tree.order[first..first + count]);
+        self.leaf_starts.push(self.order.len() as u32);
         Child::leaf(number)
     }
 }

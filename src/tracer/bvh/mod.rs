@@ -37,8 +37,9 @@ mod slabs;
 mod textbook;
 mod traversal;
 
+pub use binary::LEAF_CAPACITY;
 pub use float_box::FloatBox;
-pub use hierarchy::{Hierarchy, LEAF_CAPACITY};
+pub use hierarchy::Hierarchy;
 pub use slabs::HierarchyRay;
 pub use textbook::TextbookHierarchy;
 pub use traversal::Visit;

@@ -4,7 +4,6 @@ use std::fmt;
 use std::ops::Neg;
 use std::str::FromStr;
 
-use super::face::Face;
 use crate::math::Vec3;
 
 /// One of the six directions +x -x +y -y +z -z.
@@ -22,11 +21,6 @@ impl SignedAxis {
     pub const NEG_Y: Self = Self { axis: 1, negative: true };
     pub const POS_Z: Self = Self { axis: 2, negative: false };
     pub const NEG_Z: Self = Self { axis: 2, negative: true };
-
-    /// The face of the cube that this axis goes through.
-    pub fn face(self) -> Face {
-        Face::on_axis(usize::from(self.axis), !self.negative)
-    }
 
     /// +1 or -1.
     #[inline]

@@ -2,7 +2,7 @@
 
 use super::face::Face;
 use super::lazy_image::LazyImage;
-use super::lookup::{FacePoint, Lookup};
+use super::lookup::{FacePoint, ImagePoint, Lookup};
 use super::seamless;
 use super::source::Skybox;
 use crate::error::{Error, Result};
@@ -81,8 +81,14 @@ impl CubeMap {
     /// Kept out of the other filters' way.
     #[inline(never)]
     fn across_seams(&self, point: FacePoint, picture: &Picture) -> Option<Vec3> {
-        let corners = seamless::Corners::new(self, point, picture.width())?;
-        Some(corners.blend(corners.colours(self)))
+        let corners = seamless::Corners::new(&self.lookup, point, picture.width())?;
+        Some(corners.blend(corners.colours(|place| self.texel(place))))
+    }
+
+    /// The colour of the texel that a place falls into; `None` if its picture cannot be decoded.
+    #[inline]
+    pub(super) fn texel(&self, place: ImagePoint) -> Option<Vec3> {
+        Some(place.nearest(self.picture(place.image).ok()?))
     }
 
     /// The picture an image name stands for, decoded now if it was not yet.

@@ -63,3 +63,10 @@ impl Face {
         Vec3::from_array(normal)
     }
 }
+
+impl SignedAxis {
+    /// The face of the cube that this axis goes through.
+    pub fn face(self) -> Face {
+        Face::on_axis(usize::from(self.axis), !self.negative)
+    }
+}

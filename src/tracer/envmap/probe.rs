@@ -106,7 +106,7 @@ fn bilinear(place: ImagePoint, picture: &Picture) -> (Vec<ProbedTexel>, Vec3) {
 }
 
 fn across_borders(map: &CubeMap, point: FacePoint, picture: &Picture) -> Result<(Vec<ProbedTexel>, Vec3)> {
-    let Some(corners) = seamless::Corners::new(map, point, picture.width()) else {
+    let Some(corners) = seamless::Corners::new(map.lookup(), point, picture.width()) else {
         return Ok(bilinear(map.lookup().image_point(point), picture));
     };
     let mut places = [None; 4];
@@ -116,7 +116,7 @@ fn across_borders(map: &CubeMap, point: FacePoint, picture: &Picture) -> Result<
             None => None,
         };
     }
-    let colours = corners.colours(map);
+    let colours = corners.colours(|place| map.texel(place));
     let weights = corners.weights();
     let texels = (0..4).map(|k| ProbedTexel { place: places[k], weight: weights[k], colour: colours[k] }).collect();
     Ok((texels, corners.blend(colours)))

@@ -11,8 +11,7 @@
 //! At a corner of the cube three faces meet, and the fourth texel does not exist: it is the mean of the other three
 //! (as in the OpenGL extension ARB_seamless_cube_map).
 
-use super::cube_map::CubeMap;
-use super::lookup::{FacePoint, ImagePoint};
+use super::lookup::{FacePoint, ImagePoint, Lookup};
 use crate::math::Vec3;
 
 /// The four texels around a place near the border of a face, on the face itself and its neighbours.
@@ -28,7 +27,7 @@ pub(super) struct Corners {
 
 impl Corners {
     /// The texels around a place on a face of `size` texels. `None` if they all lie inside the face.
-    pub fn new(map: &CubeMap, point: FacePoint, size: usize) -> Option<Self> {
+    pub fn new(lookup: &Lookup, point: FacePoint, size: usize) -> Option<Self> {
         let size = size as f32;
         // Texel centres are at half integers.
         let (x, y) = (point.u * size - 0.5, point.v * size - 0.5);
@@ -38,16 +37,14 @@ impl Corners {
             return None;
         }
         let corners = [(left, low), (left + 1.0, low), (left, low + 1.0), (left + 1.0, low + 1.0)];
-        let places = corners.map(|(i, j)| texel(map, point, size, i, j));
+        let places = corners.map(|(i, j)| texel(lookup, point, size, i, j));
         Some(Self { places, across: x - left, along: y - low })
     }
 
-    /// The colours of the four texels; one that does not exist is the mean of the others.
-    pub fn colours(&self, map: &CubeMap) -> [Vec3; 4] {
-        let texels = self.places.map(|place| {
-            let place = place?;
-            Some(place.nearest(map.picture(place.image).ok()?))
-        });
+    /// The colours of the four texels, read by `colour_at`; one that does not exist is the mean of the others.
+    #[inline]
+    pub fn colours(&self, colour_at: impl Fn(ImagePoint) -> Option<Vec3>) -> [Vec3; 4] {
+        let texels = self.places.map(|place| colour_at(place?));
         let known: Vec3 = texels.iter().flatten().copied().sum();
         let count = texels.iter().flatten().count().max(1) as f32;
         texels.map(|texel| texel.unwrap_or(known / count))
@@ -67,8 +64,8 @@ impl Corners {
 }
 
 /// The texel in column `i` and row `j` counted along u and v; `None` beyond a corner of the cube.
-fn texel(map: &CubeMap, point: FacePoint, size: f32, i: f32, j: f32) -> Option<ImagePoint> {
-    let row = map.lookup().row(point.face);
+fn texel(lookup: &Lookup, point: FacePoint, size: f32, i: f32, j: f32) -> Option<ImagePoint> {
+    let row = lookup.row(point.face);
     // Coordinates of the texel centre on the face's plane, the face being [-1, 1].
     let (a, b) = ((2.0 * i + 1.0) / size - 1.0, (2.0 * j + 1.0) / size - 1.0);
     let (beyond_a, beyond_b) = ((a.abs() - 1.0).max(0.0), (b.abs() - 1.0).max(0.0));
@@ -79,5 +76,5 @@ fn texel(map: &CubeMap, point: FacePoint, size: f32, i: f32, j: f32) -> Option<I
     let direction = point.face.normal() * (1.0 - beyond_a - beyond_b)
         + row.u.direction() * a.clamp(-1.0, 1.0)
         + row.v.direction() * b.clamp(-1.0, 1.0);
-    Some(map.lookup().image_point(map.lookup().locate(direction)))
+    Some(lookup.image_point(lookup.locate(direction)))
 }

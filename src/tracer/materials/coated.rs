@@ -10,7 +10,7 @@ use super::directional_table::DirectionalTable;
 use super::fresnel::boundary;
 use super::microfacet::Microfacets;
 use super::quadrature::integral;
-use super::scattering::{Evaluation, ScatteringSample};
+use super::scattering_sample::{Evaluation, ScatteringSample};
 use super::visible_average::Facet;
 use super::{cosine_density, cosine_direction};
 use crate::colour::luminance;

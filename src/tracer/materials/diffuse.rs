@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_1_PI;
 
-use super::scattering::{Evaluation, ScatteringSample};
+use super::scattering_sample::{Evaluation, ScatteringSample};
 use crate::math::functions::sin_cos_turns;
 use crate::math::{DVec3, Vec3};
 

@@ -11,7 +11,7 @@ use std::f64::consts::FRAC_1_PI;
 use super::conductor::MetalReflectance;
 use super::directional_table::DirectionalTable;
 use super::microfacet::Microfacets;
-use super::scattering::{Evaluation, ScatteringSample};
+use super::scattering_sample::{Evaluation, ScatteringSample};
 use super::visible_average::Facet;
 use crate::math::{DVec3, Vec3};
 

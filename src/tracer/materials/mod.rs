@@ -14,6 +14,7 @@ mod phong;
 mod quadrature;
 mod rough_glass;
 mod scattering;
+mod scattering_sample;
 mod specular;
 mod visible_average;
 
@@ -25,7 +26,8 @@ pub use medium::{Medium, MediumStack, beer_lambert};
 pub use metal::Metal;
 pub use phong::{Phong, phong_lobe};
 pub use rough_glass::{RoughBoundary, RoughGlass};
-pub use scattering::{Evaluation, Scattering, ScatteringSample};
+pub use scattering::Scattering;
+pub use scattering_sample::{Evaluation, ScatteringSample};
 pub use specular::{Mirror, SmoothBoundary};
 
 use std::sync::Arc;

@@ -4,7 +4,7 @@ use std::f32::consts::PI;
 
 use super::diffuse::{cosine_density, cosine_direction};
 use super::fresnel::mirrored;
-use super::scattering::{Evaluation, ScatteringSample};
+use super::scattering_sample::{Evaluation, ScatteringSample};
 use crate::colour::luminance;
 use crate::math::functions::{power, power_f64, sin_cos_turns};
 use crate::math::{DVec3, Vec3};

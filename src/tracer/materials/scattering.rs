@@ -19,6 +19,7 @@ use super::diffuse::Diffuse;
 use super::metal::Metal;
 use super::phong::Phong;
 use super::rough_glass::RoughBoundary;
+use super::scattering_sample::{Evaluation, ScatteringSample};
 use super::specular::{Mirror, SmoothBoundary};
 use crate::math::{DVec3, Vec3};
 
@@ -34,35 +35,6 @@ pub enum Scattering<'a> {
     RoughGlass(RoughBoundary<'a>),
     Metal(&'a Metal),
     Coated(Coated<'a>),
-}
-
-/// What goes from one direction into another.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Evaluation {
-    /// The scattering function times the cosine: `f(view, light) |light.z|`, without the delta lobes.
-    pub value: Vec3,
-    /// Density, per solid angle, with which [`Scattering::sample`] chooses `light`; that of its delta lobes not counted.
-    pub density: f64,
-}
-
-impl Evaluation {
-    /// Nothing goes there, and nothing is sampled there.
-    pub const NONE: Self = Self { value: Vec3::ZERO, density: 0.0 };
-}
-
-/// A direction chosen at random.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ScatteringSample {
-    /// Unit vector away from the surface, towards where light comes from.
-    pub direction: DVec3,
-    /// `f |cos| / density`; for a delta lobe its factor over its probability. Finite, never negative.
-    pub weight: Vec3,
-    /// Density per solid angle, of all lobes that are not delta lobes; for a delta lobe its probability.
-    pub density: f64,
-    /// True for a delta lobe: no other technique can find this direction.
-    pub specular: bool,
-    /// True if the light comes through the surface: `direction.z < 0`.
-    pub transmitted: bool,
 }
 
 impl Scattering<'_> {

@@ -1,7 +1,7 @@
 //! Delta lobes: light that continues in exactly one direction, or two.
 
-use super::fresnel::{boundary, mirrored, refract};
-use super::scattering::ScatteringSample;
+use super::fresnel::{boundary, refract};
+use super::scattering_sample::ScatteringSample;
 use crate::math::{DVec3, Vec3};
 
 /// Ideal specular reflection, the same at every angle.
@@ -50,17 +50,5 @@ impl SmoothBoundary {
     fn transmitted(&self, view: DVec3, weight: Vec3, probability: f64) -> ScatteringSample {
         let direction = refract(-view, DVec3::Z, self.relative_index);
         ScatteringSample { direction, weight, density: probability, specular: true, transmitted: true }
-    }
-}
-
-impl ScatteringSample {
-    /// Straight on.
-    pub(super) fn passing(view: DVec3) -> Self {
-        Self { direction: -view, weight: Vec3::ONE, density: 1.0, specular: true, transmitted: true }
-    }
-
-    /// Ideal reflection, chosen with a probability.
-    pub(super) fn reflected_specularly(view: DVec3, weight: Vec3, probability: f64) -> Self {
-        Self { direction: mirrored(view), weight, density: probability, specular: true, transmitted: false }
     }
 }

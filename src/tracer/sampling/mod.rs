@@ -5,13 +5,4 @@ mod pixel;
 pub mod warp;
 
 pub use filter::{FilteredPlace, PixelFilter};
-pub use pixel::{PixelSampler, RowSampler, SamplerKind};
-
-/// How the samples of a picture are chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Sampling {
-    pub sampler: SamplerKind,
-    pub filter: PixelFilter,
-    /// Another seed gives another, independent picture of the same scene.
-    pub seed: u32,
-}
+pub use pixel::{PixelSampler, RowSampler, SamplerKind, Sampling};

@@ -1,6 +1,6 @@
 //! Samples of one pixel.
 
-use super::Sampling;
+use super::PixelFilter;
 
 /// The sampler: the source of the numbers that drive a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, clap::ValueEnum)]
@@ -11,6 +11,15 @@ pub enum SamplerKind {
     Sobol,
     /// Random numbers, each independent of all others.
     Independent,
+}
+
+/// How the samples of a picture are chosen.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Sampling {
+    pub sampler: SamplerKind,
+    pub filter: PixelFilter,
+    /// Another seed gives another, independent picture of the same scene.
+    pub seed: u32,
 }
 
 /// The samples of one pixel: Owen-scrambled Sobol points (Burley, Practical Hash-based Owen Scrambling, JCGT 2020),

@@ -3,7 +3,7 @@
 use super::super::borders::edge::{Edge, EdgeBorders};
 use super::super::borders::pair_cost::{PairCosts, UNITS, Units, border_index};
 use super::super::thresholds::evidence::STRONG;
-use crate::envmap::{Face, Orientation};
+use crate::envmap::{Face, FaceLookup, Lookup, Orientation};
 
 /// Per face the image it reads and its orientation, relative to the given lookup.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -31,6 +31,15 @@ impl Arrangement {
     pub fn with_orientation(mut self, face: Face, orientation: usize) -> Self {
         self.orientations[face.index()] = orientation;
         self
+    }
+
+    /// The lookup that this amounts to, where `lookup` is the given one.
+    pub fn corrected(&self, lookup: &Lookup) -> Lookup {
+        let rows = Face::ALL.map(|face| FaceLookup {
+            image: self.images[face.index()],
+            ..self.orientation(face).of_row(lookup.row(face))
+        });
+        Lookup::new(rows, lookup.v_origin()).expect("a laid row spans its face")
     }
 }
 

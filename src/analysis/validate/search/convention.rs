@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use super::super::story::Order;
 use super::arrangement::Arrangement;
 use super::symmetry::orientation_between;
 use crate::envmap::{Face, Lookup, Preset, SignedAxis};
@@ -37,6 +36,15 @@ pub enum Convention {
     FrontFirst,
     /// Sheets of Minecraft's OptiFine: bottom, top, south, west, north, east.
     Optifine,
+}
+
+/// An order that files may follow, and what it costs to assume it.
+#[derive(Debug, Clone, Copy)]
+pub struct Order {
+    /// `None` for the order of the lookup itself.
+    pub convention: Option<Convention>,
+    pub arrangement: Arrangement,
+    pub cost: u32,
 }
 
 /// What the names and formats of the files say about their order.

@@ -1,20 +1,16 @@
 //! The image of one face: its name and size, and its pixels on demand.
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use skycube_files::archive::ArchiveEntry;
 
 use super::layout::Cell;
+use super::picture_file::{read_file, read_header};
 use super::sheet::Sheet;
 use crate::envmap::Face;
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::picture::{self, Header, Picture};
-
-/// How much of a file is read first to find its header; the whole file follows only if that does not suffice.
-const HEAD: u64 = 256 * 1024;
 
 /// The image of one face. Opening it has read the header alone; each call of [`FaceImage::decode`] decodes the pixels,
 /// so whoever needs them twice keeps them. May be shared between threads.
@@ -88,34 +84,4 @@ impl FaceImage {
             Origin::Cell(..) => Ok(None),
         }
     }
-}
-
-/// Reads a header from the beginning of a file, or from all of it where the beginning does not suffice. `read` yields
-/// the bytes up to a limit; those that the header was read from are returned beside it.
-pub(super) fn read_header(read: impl Fn(Option<u64>) -> Result<Vec<u8>>, name: &Path) -> Result<(Header, Vec<u8>)> {
-    let head = read(Some(HEAD))?;
-    match picture::read_header(&head, name) {
-        Ok(header) => Ok((header, head)),
-        // What does not begin as a picture is none, however long it is.
-        Err(_) if head.len() as u64 == HEAD && picture::Format::of_content(&head, name).is_some() => {
-            let whole = read(None)?;
-            Ok((picture::read_header(&whole, name)?, whole))
-        }
-        Err(error) => Err(error),
-    }
-}
-
-/// The bytes of a file, or its first ones.
-pub(super) fn read_file(path: &Path, limit: Option<u64>) -> Result<Vec<u8>> {
-    skycube_files::check_plain(path, "a picture file").map_err(|error| error.in_file(path))?;
-    let read = || {
-        let mut bytes = Vec::new();
-        let file = File::open(path)?;
-        match limit {
-            Some(limit) => file.take(limit).read_to_end(&mut bytes)?,
-            None => { file }.read_to_end(&mut bytes)?,
-        };
-        Ok(bytes)
-    };
-    read().map_err(|error: std::io::Error| Error::new(format!("cannot be read: {error}")).in_file(path))
 }

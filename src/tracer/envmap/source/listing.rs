@@ -1,7 +1,7 @@
 //! Finding the six faces among the files of a folder or archive, with its subfolders.
 
 use super::listing_errors::{no_complete_set, several_folders, several_sets, unclear};
-use super::passing_over::is_passed_over;
+use super::passing_over::{all_but, is_passed_over};
 use super::selection::{self, Found, Selection};
 use crate::error::Result;
 
@@ -146,15 +146,6 @@ pub(super) fn sets(paths: &[String]) -> Vec<(String, Located)> {
         .enumerate()
         .all(|(index, (prefix, _))| !prefix.is_empty() && sets[..index].iter().all(|(other, _)| other != prefix));
     if distinct { sets } else { Vec::new() }
-}
-
-/// The paths that are not among the given ones, sorted.
-pub(super) fn all_but(paths: &[String], used: &[usize]) -> Vec<String> {
-    let others = paths.iter().enumerate().filter(|(index, _)| !used.contains(index));
-    let mut others: Vec<String> = others.map(|(_, path)| path.clone()).collect();
-    others.sort_unstable();
-    others.dedup();
-    others
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! Errors about a folder or archive without exactly one file for each face.
 
-use super::listing::all_but;
-use super::passing_over::{is_passed_over, is_readable_format};
+use super::passing_over::{all_but, is_passed_over, is_readable_format};
 use super::selection::{self, Found, Selection};
 use crate::envmap::Face;
 use crate::error::Error;

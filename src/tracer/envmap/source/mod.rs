@@ -10,6 +10,7 @@ mod listing;
 mod listing_errors;
 mod naming;
 mod passing_over;
+mod picture_file;
 mod selection;
 mod sheet;
 mod sizes;

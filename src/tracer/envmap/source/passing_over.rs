@@ -49,6 +49,15 @@ pub(super) fn is_readable_format(file_name: &str) -> bool {
     READABLE.contains(&extension(file_name).as_str())
 }
 
+/// The paths that are not among the given ones, sorted.
+pub(super) fn all_but(paths: &[String], used: &[usize]) -> Vec<String> {
+    let others = paths.iter().enumerate().filter(|(index, _)| !used.contains(index));
+    let mut others: Vec<String> = others.map(|(_, path)| path.clone()).collect();
+    others.sort_unstable();
+    others.dedup();
+    others
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,8 +5,8 @@ use std::sync::OnceLock;
 
 use super::super::orientation::ImageOperation;
 use super::cross::{self, Grid};
-use super::face_image::{read_file, read_header};
 use super::layout::{Cell, EnvironmentPicture, Layout};
+use super::picture_file::{read_file, read_header};
 use crate::envmap::Face;
 use crate::error::{Error, Result};
 use crate::picture::{self, Header, Picture, Texels};

@@ -3,8 +3,7 @@
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::{Path, PathBuf};
 
-use super::object::{Mention, ObjFile};
-use super::statements::{listed, number, read_text, shortened, statements, without_comment, words};
+use super::statements::{Mention, listed, number, read_text, shortened, statements, without_comment, words};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
 
@@ -61,16 +60,17 @@ const HELP: &str =
     "put the MTL file where the `mtllib` line of the OBJ file points, or give the shape a `material` of the scene";
 
 impl ObjMaterials {
-    pub(super) fn read(object: &ObjFile, path: &Path) -> Result<Self> {
+    /// The materials of the groups of an OBJ file at `path`, from the libraries that it names.
+    pub(super) fn read(groups: &[Option<Mention>], mentioned: &[Mention], path: &Path) -> Result<Self> {
         let mut libraries = Libraries::default();
-        if object.groups.iter().any(Option::is_some) {
+        if groups.iter().any(Option::is_some) {
             let folder = path.parent().unwrap_or(Path::new(""));
-            for library in &object.libraries {
+            for library in mentioned {
                 libraries.add_all(folder, library).map_err(|error| error.help(HELP))?;
             }
         }
         let material = |group: &Option<Mention>| group.as_ref().map_or(Ok(None), |mention| libraries.find(mention));
-        let groups = object.groups.iter().map(material).collect::<Result<_>>()?;
+        let groups = groups.iter().map(material).collect::<Result<_>>()?;
         libraries.remarks.extend(libraries.missing.iter().map(|error| error.to_string().replace('\n', ";")));
         Ok(Self { groups, files: libraries.files, remarks: libraries.remarks })
     }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::materials::ObjMaterials;
 use super::polygon::Triangulation;
-use super::statements::{number, read_text, shortened, statements, words};
+use super::statements::{Mention, number, read_text, shortened, statements, words};
 use crate::error::{Error, Result};
 use crate::math::{Bounds, DVec3, Vec2, Vec3};
 use crate::shapes::mesh::{Mesh, MeshGeometry};
@@ -29,13 +29,6 @@ pub struct ObjFile {
     /// What of the file was read with goodwill or left out.
     pub remarks: Vec<String>,
     path: PathBuf,
-}
-
-/// A name in a file and the line where it stands first.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Mention {
-    pub name: String,
-    pub line: usize,
 }
 
 impl ObjFile {
@@ -69,7 +62,7 @@ impl ObjFile {
     /// An error names the file and the line: an MTL file that is missing or cannot be read, a material that none of them
     /// describes.
     pub fn materials(&self) -> Result<ObjMaterials> {
-        ObjMaterials::read(self, &self.path).map_err(|error| error.in_file(&self.path))
+        ObjMaterials::read(&self.groups, &self.libraries, &self.path).map_err(|error| error.in_file(&self.path))
     }
 }
 

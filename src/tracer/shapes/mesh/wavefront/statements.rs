@@ -7,6 +7,13 @@ use skycube_files::read_plain_file;
 
 use crate::error::Result;
 
+/// A name in a file and the line where it stands first.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Mention {
+    pub name: String,
+    pub line: usize,
+}
+
 /// The text of a file, with every statement on one line.
 pub(super) fn read_text(path: &Path, expected: &str) -> Result<String> {
     let text = decode(read_plain_file(path, expected)?);

@@ -1,0 +1,132 @@
+//! What a check finds: facts, seams, verdict, fix and notes of one map.
+
+use super::note::Note;
+use super::outlier::Outlier;
+use super::seam::Seam;
+use super::search::arrangement::Arrangement;
+use super::search::convention::Convention;
+use super::story::Story;
+use super::verdict::Verdict;
+use crate::envmap::source::Skybox;
+use crate::envmap::{Face, Lookup, Orientation};
+use crate::picture::Format;
+
+/// An image as the report lists it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ImageFacts {
+    /// The name of the image.
+    pub face: Face,
+    pub file: String,
+    pub width: usize,
+    pub height: usize,
+    pub format: Format,
+    pub alpha: bool,
+}
+
+impl ImageFacts {
+    /// The six images of a skybox.
+    pub fn of_skybox(skybox: &Skybox) -> Vec<Self> {
+        let facts = |face: Face| {
+            let image = skybox.image(face);
+            let header = image.header();
+            Self {
+                face,
+                file: image.name().to_owned(),
+                width: header.width,
+                height: header.height,
+                format: header.format,
+                alpha: header.alpha,
+            }
+        };
+        Face::ALL.map(facts).to_vec()
+    }
+}
+
+/// The report on one map.
+#[derive(Debug, Clone)]
+pub struct Check {
+    pub images: Vec<ImageFacts>,
+    pub lookup: Lookup,
+    pub lookup_name: String,
+    pub verdict: Verdict,
+    /// The twelve seams as they are.
+    pub seams: Vec<Seam>,
+    pub fix: Fix,
+    /// Faces whose image belongs to no place in this map.
+    pub outliers: Vec<Outlier>,
+    /// The faces that the given lookup shows mirrored in a right-handed world.
+    pub mirrored: Vec<Face>,
+    pub notes: Vec<Note>,
+}
+
+/// What to change.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fix {
+    pub faces: [FaceFix; 6],
+    /// Faces that change.
+    pub changes: usize,
+    /// What happened to the files.
+    pub story: Story,
+    /// Other stories that are as short and close the seams as well.
+    pub also: Vec<Story>,
+    /// The standard errors by which the next essentially different orientation is worse; 0 if none is.
+    pub margin: f64,
+    pub seams_after: Vec<Seam>,
+    /// Fixes that are equally good, this one among them.
+    pub equivalents: usize,
+}
+
+/// What to change at one face.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct FaceFix {
+    pub face: Face,
+    /// The image that the face shall read.
+    pub image: Face,
+    /// (u', v') as functions of the (u, v) that the given lookup computes.
+    pub orientation: Orientation,
+    /// True if the pixels decide this orientation: every other one is decisively worse.
+    pub decided: bool,
+}
+
+impl FaceFix {
+    /// True if the face keeps its image and its orientation.
+    pub fn is_unchanged(&self, given: &Lookup) -> bool {
+        self.image == given.row(self.face).image && self.orientation == Orientation::IDENTITY
+    }
+}
+
+impl Check {
+    /// What no change repairs: faces that do not belong or have the wrong size.
+    pub fn unrepaired(&self) -> Vec<&Note> {
+        let unrepaired =
+            |note: &&Note| matches!(note, Note::Outlier { .. } | Note::NotSquare { .. } | Note::Sizes { .. });
+        self.notes.iter().filter(unrepaired).collect()
+    }
+
+    /// True if all six images are square and of one size: no graphics library takes others as a cube map.
+    pub fn has_equal_squares(&self) -> bool {
+        let size = self.images[0].width;
+        self.images.iter().all(|image| (image.width, image.height) == (size, size))
+    }
+}
+
+impl Fix {
+    /// The known order that these files follow, if the story names one.
+    pub fn convention(&self) -> Option<Convention> {
+        self.story.order
+    }
+
+    /// The corrected lookup.
+    pub fn lookup(&self, given: &Lookup) -> Lookup {
+        self.arrangement().corrected(given)
+    }
+
+    fn arrangement(&self) -> Arrangement {
+        let index =
+            |orientation: Orientation| Orientation::ALL.iter().position(|&known| known == orientation).unwrap_or(0);
+        Arrangement {
+            images: self.faces.map(|face| face.image),
+            orientations: self.faces.map(|face| index(face.orientation)),
+        }
+    }
+}
