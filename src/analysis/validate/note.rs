@@ -1,4 +1,4 @@
-//! One remark on a map, and its sentence.
+//! A note about a map beside the verdict, and its sentence.
 
 use std::fmt;
 

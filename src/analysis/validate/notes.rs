@@ -1,4 +1,4 @@
-//! Notes about a map beside the verdict.
+//! Collecting the notes about a map beside the verdict.
 
 use super::borders::border::Borders;
 use super::borders::edge::{Border, Edge, Side};

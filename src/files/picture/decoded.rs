@@ -9,7 +9,7 @@ pub struct Decoded {
     pub samples: Samples,
     /// How the samples become light, if not in the usual way: bytes and words by the sRGB curve, floats as they are.
     pub space: Option<ColourSpace>,
-    /// What the file says and nobody heeds.
+    /// What the file says and the decoder ignores.
     pub notes: Vec<String>,
 }
 

@@ -96,7 +96,7 @@ impl Format {
     }
 }
 
-/// True if the bytes begin as such a file does.
+/// True if the bytes begin like one of these files.
 fn is_netpbm(encoded: &[u8]) -> bool {
     matches!(encoded, [b'P', b'1'..=b'6' | b'F' | b'f', blank, ..] if blank.is_ascii_whitespace())
 }

@@ -31,7 +31,7 @@ pub(super) struct Merge<'a> {
     pub(super) leaf_starts: Vec<u32>,
     /// Numbers of the boxes, leaf by leaf.
     pub(super) order: Vec<u32>,
-    /// How many nodes the longest way down has.
+    /// The number of nodes on the longest path from the root.
     pub(super) deepest: usize,
 }
 
