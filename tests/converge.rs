@@ -320,7 +320,7 @@ fn what_cannot_run_says_why_and_writes_nothing() {
         (&["lamp.toml", "--vary", "colour=red"], "expected one of integrator, depth"),
         (&["lamp.toml", "--vary", "strategy=mis,mis"], "mis is given twice"),
         (&["lamp.toml", "--compare", "depths", "--vary", "depth=1,2"], "depth is varied twice"),
-        (&["lamp.toml", "--compare", "lookups"], "no cube map"),
+        (&["lamp.toml", "--compare", "lookups"], "not a cube map"),
         (&["whitted.toml", "--compare", "strategies"], "no scene uses the path tracer"),
         (&["missing.toml"], "missing.toml"),
     ];

@@ -61,7 +61,7 @@ mod tests {
         assert!(error("directions").ends_with("directions.toml?"), "{}", error("directions"));
         assert!(error("sphere.toml").ends_with("spheres.toml?"), "{}", error("sphere.toml"));
         assert!(error("cubes.toml").ends_with("the file does not exist"), "{}", error("cubes.toml"));
-        assert!(error("direction.png").contains("perhaps a picture"), "{}", error("direction.png"));
+        assert!(error("direction.png").contains("may be a picture"), "{}", error("direction.png"));
         assert!(error("").contains("this is a folder"), "{}", error(""));
     }
 }

@@ -71,10 +71,11 @@ impl CubeMap {
         let place = self.lookup.image_point(point);
         let Some(picture) = self.images[place.image.index()].picture() else { return Vec3::ZERO };
         // The colour between the texels.
+        let (x, y) = place.texels(picture);
         match self.filter {
-            CubeFilter::Nearest => place.nearest(picture),
-            CubeFilter::Bilinear => place.bilinear(picture),
-            CubeFilter::Seamless => self.across_seams(point, picture).unwrap_or_else(|| place.bilinear(picture)),
+            CubeFilter::Nearest => picture.nearest(x, y),
+            CubeFilter::Bilinear => picture.bilinear(x, y),
+            CubeFilter::Seamless => self.across_seams(point, picture).unwrap_or_else(|| picture.bilinear(x, y)),
         }
     }
 

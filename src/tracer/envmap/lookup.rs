@@ -73,13 +73,6 @@ impl ImagePoint {
         let (x, y) = self.texels(picture);
         picture.nearest(x, y)
     }
-
-    /// The picture's colour here, bilinear between texel centres, clamped at the border.
-    #[inline(always)]
-    pub fn bilinear(&self, picture: &Picture) -> Vec3 {
-        let (x, y) = self.texels(picture);
-        picture.bilinear(x, y)
-    }
 }
 
 impl Lookup {

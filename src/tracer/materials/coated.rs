@@ -76,6 +76,7 @@ impl Coat {
 }
 
 /// Share of light that a visible microfacet reflects past all others.
+#[inline]
 fn reflected_at_once(microfacets: &Microfacets, relative_index: f64, view: DVec3, normal: DVec3) -> Facet {
     let cosine = view.dot(normal);
     let light = 2.0 * cosine * normal.z - view.z;

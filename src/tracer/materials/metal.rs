@@ -118,6 +118,7 @@ impl Roughness {
 }
 
 /// Share of light that a visible microfacet throws onto others.
+#[inline]
 fn lost(microfacets: &Microfacets, view: DVec3, normal: DVec3) -> Facet {
     let light = 2.0 * view.dot(normal) * normal.z - view.z;
     let value = if light > 0.0 { microfacets.shadowed(view.z, light) } else { 1.0 };

@@ -108,6 +108,7 @@ fn pair(microfacets: &Microfacets, ratios: [f64; 2]) -> [Side; 2] {
 }
 
 /// Share of light that a visible microfacet throws onto others, on both sides together.
+#[inline]
 fn lost(microfacets: &Microfacets, relative_index: f64, view: DVec3, normal: DVec3) -> Facet {
     let cosine = view.dot(normal);
     let reflected = 2.0 * cosine * normal.z - view.z;
