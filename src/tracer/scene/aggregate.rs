@@ -86,8 +86,7 @@ impl Aggregate {
         (nearest.id.shape != NONE).then_some(nearest)
     }
 
-    /// The nearest hits of rays; of rays that all start at one point by the view cones from there, unless there are
-    /// meshes or a hierarchy.
+    /// The nearest hits of rays; of rays that all start at one point by the view cones from there, if there are any.
     #[inline]
     pub fn intersect_all<'r>(
         &self,
@@ -96,10 +95,11 @@ impl Aggregate {
         hits: &mut Vec<Option<Hit>>,
     ) {
         hits.clear();
+        let found = |nearest: Hit| (nearest.id.shape != NONE).then_some(nearest);
         if self.has_others() {
-            hits.extend(rays.map(|ray| self.intersect(ray)));
+            hits.extend(rays.map(|ray| found(self.nearer_other(ray, self.nearest_simple(ray, cones)))));
         } else {
-            hits.extend(rays.map(|ray| Some(self.nearest_simple(ray, cones)).filter(|hit| hit.id.shape != NONE)));
+            hits.extend(rays.map(|ray| found(self.nearest_simple(ray, cones))));
         }
     }
 
