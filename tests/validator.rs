@@ -241,8 +241,8 @@ fn steps_are_those_that_directions_see_before_and_after_the_fix() {
     for lookup in [Preset::Exercise, Preset::HumusYUp, Preset::Opengl] {
         let map = load(&skybox, lookup.lookup()).unwrap();
         let check = check(&map, ImageFacts::of_skybox(&skybox), &options(lookup, None)).unwrap();
-        let mended = load(&skybox, check.fix.lookup(&check.lookup)).unwrap();
-        for (map, seams) in [(&map, &check.seams), (&mended, &check.fix.seams_after)] {
+        let repaired = load(&skybox, check.fix.lookup(&check.lookup)).unwrap();
+        for (map, seams) in [(&map, &check.seams), (&repaired, &check.fix.seams_after)] {
             assert_eq!(seams.len(), 12);
             for seam in seams {
                 let seen = sampled_step(map, seam.edge, size);
