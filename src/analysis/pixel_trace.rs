@@ -1,7 +1,7 @@
 //! One pixel, watched.
 
 use crate::error::Result;
-use crate::integrators::{Blind, Event, Integrator, Recorder};
+use crate::integrators::{Blind, Event, Recorder};
 use crate::math::Vec3;
 use crate::render::{PixelSample, Renderer};
 use crate::scene::{Plan, Scene, Wing};
@@ -27,10 +27,7 @@ impl PixelTrace {
     /// Takes all samples of a pixel, and watches one of them. An error tells that a picture of the environment cannot be
     /// decoded.
     pub fn of(scene: &Scene, plan: &Plan, pixel: [usize; 2], shown: u32) -> Result<Self> {
-        let wing = Integrator::new(scene, plan)?.wing();
-        // Only the textbook's code is watched.
-        let plan = Plan { wing: Wing::Textbook, ..*plan };
-        let renderer = Renderer::new(scene, &plan)?;
+        let renderer = Renderer::new(scene, plan)?;
         let mut recorder = Recorder::default();
         let samples: Vec<PixelSample> = (0..scene.samples)
             .map(|index| match index == shown {
@@ -42,6 +39,6 @@ impl PixelTrace {
             return Err(error.clone());
         }
         let colour = renderer.develop_pixel(&samples);
-        Ok(Self { pixel, samples, shown, wing, events: recorder.events, colour })
+        Ok(Self { pixel, samples, shown, wing: renderer.wing(), events: recorder.events, colour })
     }
 }

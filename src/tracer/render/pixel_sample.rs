@@ -5,6 +5,7 @@ use super::renderer::Renderer;
 use crate::integrators::{Observer, RayCounts};
 use crate::math::{Ray, Vec3};
 use crate::sampling::{FilteredPlace, PixelSampler};
+use crate::scene::Wing;
 
 /// One sample of a pixel.
 #[derive(Debug, Clone, Copy)]
@@ -16,6 +17,11 @@ pub struct PixelSample {
 }
 
 impl Renderer<'_> {
+    /// The code that renders the picture.
+    pub fn wing(&self) -> Wing {
+        self.sampler.integrator.wing()
+    }
+
     /// One sample of a pixel, watched as the textbook's code takes it; the picture does not change.
     pub fn watch<O: Observer>(&self, [x, y]: [usize; 2], index: u32, observer: &mut O) -> PixelSample {
         let mut sampler = PixelSampler::chosen(self.sampler.sampling, x, y, index);

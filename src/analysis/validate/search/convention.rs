@@ -155,12 +155,9 @@ impl Convention {
 /// A preset as an arrangement relative to the given lookup.
 pub(crate) fn table(lookup: &Lookup, preset: Preset) -> Arrangement {
     let wanted = preset.lookup();
-    let turned_over = wanted.v_origin() != lookup.v_origin();
     let mut arrangement = Arrangement::given(Face::ALL.map(|face| wanted.row(face).image));
     for face in Face::ALL {
-        let mut row = wanted.row(face);
-        // Counted from the other end, v grows the other way.
-        row.v = if turned_over { -row.v } else { row.v };
+        let row = wanted.row_counted_from(face, lookup.v_origin());
         arrangement.orientations[face.index()] = orientation_between(lookup.row(face), row);
     }
     arrangement

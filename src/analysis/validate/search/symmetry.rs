@@ -45,11 +45,8 @@ impl Symmetry {
 
 /// The index of the orientation that makes the axes of one row into those of another of the same face.
 pub fn orientation_between(from: FaceLookup, to: FaceLookup) -> usize {
-    let leads = |orientation: &Orientation| {
-        let laid = orientation.of_row(from);
-        (laid.u, laid.v) == (to.u, to.v)
-    };
-    Orientation::ALL.iter().position(leads).expect("the rows span the same face")
+    let wanted = Orientation::between(from, to);
+    Orientation::ALL.iter().position(|&orientation| orientation == wanted).expect("all orientations are listed")
 }
 
 #[cfg(test)]
