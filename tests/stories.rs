@@ -80,7 +80,7 @@ impl Files {
 struct Tally {
     told: usize,
     also: usize,
-    undecided: usize,
+    undecided: Vec<String>,
     other: Vec<String>,
 }
 
@@ -92,7 +92,7 @@ impl Tally {
         } else if !check.fix.also.is_empty() {
             self.also += 1;
         } else if check.verdict == Verdict::Undecidable || check.fix.changes == 0 {
-            self.undecided += 1;
+            self.undecided.push(format!("{what}: {}, {}", check.verdict.name(), check.fix.story));
         } else {
             self.other.push(format!("{what}: {}", check.fix.story));
         }
@@ -139,9 +139,13 @@ fn run(names: &[&str], size: usize, orders: &[&Order]) -> usize {
         for (kind, tally) in KINDS.iter().zip(tell(name, map, foreign, orders)) {
             let Tally { told, also, undecided, other } = &tally;
             println!(
-                "{name:28} {size:4} {kind:16} told {told:3} equal {also:3} undecided {undecided:3} other {:3}",
+                "{name:28} {size:4} {kind:16} told {told:3} equal {also:3} undecided {:3} other {:3}",
+                undecided.len(),
                 other.len()
             );
+            for undecided in undecided {
+                println!("    undecided: {undecided}");
+            }
             for other in other {
                 println!("    {other}");
             }

@@ -25,7 +25,11 @@ impl Storage {
     }
 
     pub fn jpeg(size: usize) -> Self {
-        Self { size, quality: Some(50) }
+        Self::jpeg_of_quality(size, 50)
+    }
+
+    pub fn jpeg_of_quality(size: usize, quality: u8) -> Self {
+        Self { size, quality: Some(quality) }
     }
 
     pub fn name(&self) -> String {
@@ -68,6 +72,12 @@ pub fn right_maps() -> Vec<(&'static str, Map)> {
     maps.into_iter()
         .map(|(name, path, order, orientation)| (name, Map::read(&path, order, Orientation::ALL[orientation])))
         .collect()
+}
+
+/// A map of the project, by the name of its folder.
+pub fn project_map(name: &str) -> Map {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps").join(name);
+    Map::read(&folder, Face::ALL, Orientation::IDENTITY)
 }
 
 impl Map {

@@ -5,9 +5,11 @@ use super::borders::edge::Edge;
 use super::seam::measure;
 use super::search::arrangement::{Arrangement, Problem};
 use super::thresholds::outlier::{
-    ANOTHER_PATTERN, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_STEP, VISIBLE,
+    ANOTHER_PATTERN, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_GLARING, OUTLIER_STEP, STEP_RATIO,
+    VISIBLE,
 };
 use super::thresholds::seam::UNDECIDED;
+use super::thresholds::verdict::TORN_STEP;
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
 
@@ -48,7 +50,7 @@ pub fn judge(problem: &Problem, images: &Borders, arrangement: &Arrangement, fac
     let (laid, fit) = best_laid(problem, arrangement, face);
     Judged {
         fit,
-        step: mean_step(problem, images, &laid, face),
+        step: mean_step(problem, images, &laid, face, true),
         pattern: pattern_cost(problem, &laid, face),
         agreement: agreement(problem, arrangement, face),
     }
@@ -65,11 +67,15 @@ pub fn find(
     if let Some(copied) = copied(map, problem, images, arrangement)? {
         return Ok(Some(copied));
     }
-    let judged = Face::ALL.map(|face| best_laid(problem, arrangement, face));
-    let worst = |a: &usize, b: &usize| judged[*a].1.total_cmp(&judged[*b].1);
+    let judged = Face::ALL.map(|face| {
+        let (laid, fit) = best_laid(problem, arrangement, face);
+        (stands_out(problem, images, &laid, face), fit, laid)
+    });
+    let worst = |a: &usize, b: &usize| judged[*a].0.cmp(&judged[*b].0).then(judged[*a].1.total_cmp(&judged[*b].1));
     let Some(worst) = (0..6).max_by(worst) else { return Ok(None) };
-    let (face, (laid, fit)) = (Face::ALL[worst], &judged[worst]);
-    if mean_fit(problem, laid, face, false) > FAMILIAR || mean_score(problem, images, laid, face) < VISIBLE {
+    let (face, (stands_out, fit, laid)) = (Face::ALL[worst], &judged[worst]);
+    let others_fit = mean_fit(problem, laid, face, false) <= FAMILIAR;
+    if !stands_out && (!others_fit || mean_score(problem, images, laid, face) < VISIBLE) {
         return Ok(None);
     }
     let image = laid.images[worst];
@@ -87,12 +93,13 @@ pub fn find(
         Reason::AnotherScene => {
             pattern_cost(problem, laid, face) >= ANOTHER_PATTERN
                 && agreement(problem, arrangement, face) < KINDRED
-                && mean_step(problem, images, laid, face) >= OUTLIER_STEP
+                && mean_step(problem, images, laid, face, true) >= OUTLIER_STEP
         }
-        Reason::Flat => mean_step(problem, images, laid, face) >= OUTLIER_STEP,
+        Reason::Flat => mean_step(problem, images, laid, face, true) >= OUTLIER_STEP,
         Reason::CopyOf(_) => true,
     };
-    Ok((fit >= threshold && unlike).then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
+    Ok(((*stands_out || fit >= threshold) && unlike)
+        .then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
 }
 
 /// True if the best arrangement takes the image of a face elsewhere, and it fits there: two files were exchanged.
@@ -118,6 +125,29 @@ pub fn gapes(problem: &Problem, images: &Borders, arrangement: &Arrangement, fac
         && mean_score(problem, images, arrangement, face) >= VISIBLE
         && pattern_cost(problem, arrangement, face) >= ANOTHER_PATTERN
         && agreement(problem, arrangement, face) < KINDRED
+}
+
+/// True if at least three of a face's seams show a step that nobody overlooks, and its borders agree with those around it in no
+/// orientation.
+fn glares(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
+    let glaring = |&edge: &usize| Edge::ALL[edge].touches(face) && is_glaring(problem, images, arrangement, edge);
+    (0..12).filter(glaring).count() >= 3 && agreement(problem, arrangement, face) < KINDRED
+}
+
+/// True if a face of one colour, or one whose borders fit others as well, glares, and its seams step much further than those
+/// between the others. Where only some images are seen to have a frame, its colour may be what glares.
+pub fn stands_out(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
+    let is_flat = images[arrangement.images[face.index()].index()].is_flat();
+    let step = |touching: bool| mean_step(problem, images, arrangement, face, touching);
+    (is_flat || mean_fit(problem, arrangement, face, true) >= OUTLIER_GLARING)
+        && glares(problem, images, arrangement, face)
+        && step(true) >= STEP_RATIO * step(false)
+        && images.iter().all(|image| image.framed == images[0].framed)
+}
+
+fn is_glaring(problem: &Problem, images: &Borders, arrangement: &Arrangement, edge: usize) -> bool {
+    let seam = measure(problem, images, arrangement, edge);
+    seam.step >= TORN_STEP && seam.score >= VISIBLE
 }
 
 /// The images that must not tell how the others lie where `outlier` does not belong: itself, and all others that are
@@ -233,9 +263,11 @@ fn mean_score(problem: &Problem, images: &Borders, arrangement: &Arrangement, fa
     touching.map(|edge| measure(problem, images, arrangement, edge).score).sum::<f64>() / 4.0
 }
 
-fn mean_step(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
-    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    touching.map(|edge| measure(problem, images, arrangement, edge).step).sum::<f64>() / 4.0
+/// The mean step of the seams that touch the face, or of those that do not.
+fn mean_step(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face, touching: bool) -> f64 {
+    let chosen = |&edge: &usize| Edge::ALL[edge].touches(face) == touching;
+    let steps: Vec<f64> = (0..12).filter(chosen).map(|edge| measure(problem, images, arrangement, edge).step).collect();
+    steps.iter().sum::<f64>() / steps.len() as f64
 }
 
 /// Another image with the same texels.

@@ -120,8 +120,12 @@ impl Search<'_> {
         let face = told.0.face_of(image).unwrap_or(outlier.face);
         let outlier = Outlier { face, ..outlier };
         let solution = Solution { outlier: Some(outlier), ..self.solution(told, &outliers, 1)? };
-        // Equal texels are not chance, whatever the other faces tell.
-        let certain = matches!(outlier.reason, Reason::CopyOf(_)) || self.tells(&solution);
+        // Equal texels are not chance, and nobody overlooks a face that stands out, whatever the other faces tell.
+        let found = solution.arrangement;
+        let stands_out = outlier::stands_out(self.problem, self.images, &found, face);
+        let certain = matches!(outlier.reason, Reason::CopyOf(_))
+            || self.tells(&solution)
+            || (stands_out && (found == self.given() || self.is_torn(&self.given(), &found)));
         Ok(certain.then_some(solution))
     }
 
