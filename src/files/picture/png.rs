@@ -11,8 +11,10 @@ use crate::error::{Error, Result};
 /// Bits per channel of a PNG file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PngDepth {
+    /// 8 bits.
     #[default]
     Eight,
+    /// 16 bits.
     Sixteen,
 }
 

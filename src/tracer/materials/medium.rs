@@ -6,7 +6,9 @@ use crate::math::functions::exponential_f64;
 /// A glass: the shape that encloses it and the material it is made of, by their numbers in the scene.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Medium {
+    /// Number of the shape.
     pub shape: u32,
+    /// Number of the material.
     pub material: u32,
 }
 

@@ -10,6 +10,7 @@ use crate::scene::Wing;
 pub struct Rendering {
     /// Linear radiance.
     pub raster: Raster,
+    /// Rays of all samples, by kind.
     pub counts: RayCounts,
     /// Samples that every pixel has; some may have more if the rendering was stopped.
     pub samples: u32,

@@ -34,7 +34,9 @@ pub enum PixelFilter {
 /// A place in the picture relative to the pixel's top left corner, and what a sample there counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FilteredPlace {
+    /// To the right, in pixels; 0 to 1 lies inside the pixel.
     pub across: f64,
+    /// Downwards, in pixels.
     pub down: f64,
     /// Mean 1 over all places; negative in negative lobes.
     pub weight: f64,

@@ -7,7 +7,9 @@ use crate::math::{Bounds, DVec3};
 /// A sphere around a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundingSphere {
+    /// In the world.
     pub centre: DVec3,
+    /// In units of the world.
     pub radius: f64,
 }
 

@@ -25,6 +25,7 @@ pub struct StreamTracer<'a> {
 }
 
 impl<'a> StreamTracer<'a> {
+    /// Builds the view cones of the camera and of each light source, where the plan uses them.
     pub fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
         // Rays with a mistake do not go to the light exactly.
         let exact = plan.shadow_rays && scene.integrator.mistake.is_none();

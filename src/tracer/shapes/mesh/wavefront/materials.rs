@@ -10,6 +10,7 @@ use crate::math::Vec3;
 /// A material of an MTL file; what it does not say is `None`. Colours are as written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ObjMaterial {
+    /// The name after `newmtl`.
     pub name: String,
     /// `Kd`.
     pub diffuse: Option<Vec3>,

@@ -18,6 +18,7 @@ use crate::shapes::mesh::{Mesh, MeshGeometry};
 /// Points and lines are not drawn. The materials are read only where somebody asks for them.
 #[derive(Debug, Clone)]
 pub struct ObjFile {
+    /// All triangles of the file.
     pub mesh: Arc<Mesh>,
     /// Where the mesh's origin lies in the file's coordinates. Vertices far from the origin, as on a map of a country, are
     /// moved to their own middle before they are rounded to single precision; others stay where they are.
