@@ -20,6 +20,7 @@ use crate::picture::Raster;
 /// found by any of the renderings, looks like bias.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Bias {
+    /// Squared bias, in the mean over pixels and channels; an estimate, which may be negative.
     #[serde(rename = "bias_squared")]
     pub squared: f64,
     /// Standard error of `squared`.

@@ -9,11 +9,13 @@ use crate::render::{Progress, Silent};
 pub enum Work {
     /// Samples of pixels.
     Samples(u64),
+    /// Run time.
     Time(Duration),
 }
 
 /// Told of the phases of an experiment; asked whether to stop.
 pub trait Watch {
+    /// Counts the work of one phase while it runs.
     type Phase: Progress;
 
     /// A phase begins; it ends when the answer is dropped.

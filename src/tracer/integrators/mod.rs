@@ -15,7 +15,7 @@ mod textbook;
 pub use common::first_hit::FirstHit;
 pub use common::observer::{Blind, Event, LightOutcome, Observer, RayKind, Recorder};
 pub use common::task::RayCounts;
-pub use side_by_side::{RayStream, StreamTracer};
+pub(crate) use side_by_side::{RayStream, StreamTracer};
 
 use crate::error::Result;
 use crate::materials::MediumStack;
