@@ -14,7 +14,9 @@ use crate::error::Result;
 /// A face whose image does not belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Outlier {
+    /// The face that shows the image.
     pub face: Face,
+    /// Why the image does not belong.
     pub reason: Reason,
 }
 

@@ -14,7 +14,9 @@ use crate::envmap::{Face, FaceLookup, Lookup, Orientation};
 /// An edge of the cube: the two faces that meet there, in the order of [`Face::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Edge {
+    /// The face that comes first in [`Face::ALL`].
     pub first: Face,
+    /// The other face.
     pub second: Face,
 }
 
