@@ -356,7 +356,7 @@ fn a_wrong_camera_is_told_from_a_wrong_lookup() {
             assert!(matches!(grade.alternatives[..], [Alternative::Lookup(_)]));
             row.check(&student, &photographs, &grade);
         }
-        row.print("pictures laid otherwise", &photographs.name);
+        row.print("pictures in other orientations", &photographs.name);
         let mut row = Row::default();
         let mixed = [
             [(0, 1.0), (2, 1.0), (1, -1.0)],

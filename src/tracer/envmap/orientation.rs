@@ -207,8 +207,8 @@ mod tests {
     #[test]
     fn rows_of_a_lookup_compute_the_new_coordinates() {
         let row = FaceLookup { image: super::super::Face::PosX, u: SignedAxis::NEG_Z, v: SignedAxis::NEG_Y };
-        let laid = Orientation { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
-        assert_eq!((laid.u, laid.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
+        let placed = Orientation { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
+        assert_eq!((placed.u, placed.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
         for orientation in Orientation::ALL {
             assert_eq!(Orientation::between(row, orientation.of_row(row)), orientation);
         }
