@@ -228,7 +228,7 @@ fn judged_by(path: &Path, lookup: Preset) -> Photographs {
     Photographs { name, side: map.picture(Face::PosX).unwrap().width(), bytes: bytes.into(), grader }
 }
 
-/// True if all cases on all maps shall be tried, which takes minutes: `SKYCUBE_THOROUGH=1 cargo test --release --test grade`.
+/// True to try all cases on all maps, which takes minutes: `SKYCUBE_THOROUGH=1 cargo test --release --test grade`.
 fn thorough() -> bool {
     std::env::var_os("SKYCUBE_THOROUGH").is_some()
 }

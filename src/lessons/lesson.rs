@@ -48,7 +48,7 @@ pub struct Lesson {
     pub files: Vec<PathBuf>,
     /// Command lines, each beginning with `skycube `.
     pub commands: Vec<String>,
-    /// Samples per pixel of `expected-NAME.png`, for the scene `NAME.toml`: so many that hardly any noise is left. The expected
+    /// Samples per pixel of `expected-NAME.png`, for the scene `NAME.toml`: enough to leave hardly any noise. The expected
     /// picture of a scene that is not here was rendered with the scene's own samples.
     pub expected_samples: BTreeMap<String, NonZeroU32>,
 }

@@ -13,7 +13,7 @@ pub enum Work {
     Time(Duration),
 }
 
-/// Told of the phases of an experiment; asked whether to stop.
+/// Follows the phases of an experiment, and may stop it.
 pub trait Watch {
     /// Counts the work of one phase while it runs.
     type Phase: Progress;
@@ -21,13 +21,13 @@ pub trait Watch {
     /// A phase begins; it ends when the answer is dropped.
     fn begin(&self, what: &str, work: Work) -> Self::Phase;
 
-    /// True if no more is wanted.
+    /// True if the experiment should stop.
     fn cancelled(&self) -> bool {
         false
     }
 }
 
-/// Nobody looks on.
+/// Shows nothing and never stops.
 pub struct Unwatched;
 
 impl Watch for Unwatched {

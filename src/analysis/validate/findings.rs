@@ -94,7 +94,7 @@ pub struct Fix {
 pub struct FaceFix {
     /// The face that reads the image.
     pub face: Face,
-    /// The image that the face shall read.
+    /// The image that the face should read.
     pub image: Face,
     /// (u', v') as functions of the (u, v) that the given lookup computes.
     pub orientation: Orientation,

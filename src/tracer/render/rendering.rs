@@ -16,7 +16,7 @@ pub struct Rendering {
     pub samples: u32,
     /// True if it was stopped before all samples were taken.
     pub stopped: bool,
-    /// What was asked for beside the picture.
+    /// The layers requested beside the picture.
     pub layers: Option<Layers>,
     /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
     pub left_out: Vec<String>,

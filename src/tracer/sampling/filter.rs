@@ -24,7 +24,7 @@ pub enum PixelFilter {
     Box,
     /// Falls linearly to 0 at the middles of the neighbours.
     Tent,
-    /// Standard deviation 1/2, cut off at 1.5, where it is let down to 0.
+    /// Standard deviation 1/2, lowered to reach 0 at 1.5, and 0 beyond.
     Gaussian,
     /// Mitchell and Netravali's cubic with B = C = 1/3: sharp, with small negative lobes (Reconstruction Filters in
     /// Computer Graphics, 1988).

@@ -14,7 +14,7 @@ pub struct BoundingSphere {
 }
 
 impl Primitive {
-    /// The box around the shape in the world; `None` for a plane, which has no end.
+    /// The box around the shape in the world; `None` for a plane, which is infinite.
     pub fn bounds(&self) -> Option<Bounds> {
         let object = match &self.geometry {
             Geometry::Flat(Outline::Plane) => return None,

@@ -20,7 +20,7 @@ pub struct Primitive {
     pub material: MaterialChoice,
     /// False if light passes the shape as if it were not there.
     pub casts_shadow: bool,
-    /// False if nobody asks for the texture coordinates: they are then left at 0.
+    /// False if nothing needs the texture coordinates: they then stay 0.
     pub textured: bool,
     kernel: Kernel,
 }
