@@ -155,8 +155,7 @@ fn is_coloured(described: &ObjMaterial) -> bool {
 }
 
 /// `illum` 4 and 9 stand for transparency, 6 and 7 for refraction; exporters write them for leaves and cloth, too. A material
-/// is therefore glass only if it is transparent (`d` below 1) or has no diffuse colour; for 6 and 7 it is
-/// enough that it has no picture.
+/// is therefore glass only if it is transparent (`d` below 1) or has no diffuse colour; 6 and 7 without a picture are glass, too.
 fn is_glass(described: &ObjMaterial) -> bool {
     let transparent = described.dissolve.is_some_and(|dissolve| dissolve < 1.0);
     match described.illumination {
