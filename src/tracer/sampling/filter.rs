@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Samples are placed with the density of the filter instead of being weighted by it (Ernst, Stamminger and Greiner, Filter
-//! Importance Sampling, 2006): every pixel has its own samples and needs no others, whatever the number of threads.
+//! Importance Sampling, 2006): every pixel has its own samples and needs no others, at any number of threads.
 
 use std::sync::LazyLock;
 
