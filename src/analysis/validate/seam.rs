@@ -9,6 +9,7 @@ use super::verdict::Verdict;
 /// One edge under one lookup.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seam {
+    /// The two faces that meet there.
     pub edge: Edge,
     /// Mean absolute difference across the seam, of 255 display units, over texels and channels.
     pub step: f64,
@@ -17,6 +18,7 @@ pub struct Seam {
     /// How many times larger the step is than the detail: `step / max(detail, 0.5)`. About 1 where two faces continue
     /// each other.
     pub score: f64,
+    /// What the step means.
     pub verdict: Verdict,
 }
 

@@ -133,9 +133,9 @@ impl Search<'_> {
     fn tells(&self, solution: &Solution) -> bool {
         let given = self.given();
         let edited = solution.story.edited.iter().map(|face| face.index());
-        let relaid = edited.filter(|&face| solution.arrangement.images[face] == given.images[face]);
+        let turned = edited.filter(|&face| solution.arrangement.images[face] == given.images[face]);
         solution.telling_faces() >= TELLING_FACES
-            && relaid.into_iter().all(|face| solution.excluded[face] >= EDITED_ORIENTATIONS)
+            && turned.into_iter().all(|face| solution.excluded[face] >= EDITED_ORIENTATIONS)
     }
 
     /// True if the seams that differ gape in one arrangement and hardly in the other.
@@ -299,7 +299,7 @@ impl Search<'_> {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
         for face in Face::ALL.into_iter().filter(|face| !outliers.contains(&found.images[face.index()])) {
-            let others = if outliers.is_empty() { self.others(found, face) } else { relaid(found, face) };
+            let others = if outliers.is_empty() { self.others(found, face) } else { other_orientations(found, face) };
             for other in others {
                 let comparison = self.problem.compare_without(found, &other, outliers);
                 if comparison.is_decisive() {
@@ -360,7 +360,7 @@ impl Solution {
 }
 
 /// The seven arrangements that differ in the orientation of one face.
-fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
+fn other_orientations(found: &Arrangement, face: Face) -> Vec<Arrangement> {
     let others = (0..8).filter(|&orientation| orientation != found.orientations[face.index()]);
     others.map(|orientation| found.with_orientation(face, orientation)).collect()
 }
