@@ -1,10 +1,11 @@
 //! The exact search for the cheapest arrangement: branch and bound over the faces in order.
 //!
 //! The cost of an edge is added when the second of its faces is placed. The lower bound adds, for every remaining edge,
-//! the cheapest pair of borders that could meet there. With that bound most of the 8^6 orientations are never visited,
-//! and only a few thousand of the 6! 8^6 arrangements.
+//! the cheapest border that could continue the one placed there, or the cheapest pair where neither face is placed. With
+//! that bound most of the 8^6 orientations are never visited, and only a few thousand of the 6! 8^6 arrangements.
 
 use super::super::borders::edge::Edge;
+use super::super::borders::pair_cost::border_index;
 use super::arrangement::{Arrangement, Problem};
 use crate::envmap::Face;
 
@@ -28,25 +29,21 @@ pub fn cheapest(problem: &Problem, given: &Arrangement, freedom: Freedom) -> Arr
     let mut search = BranchAndBound {
         problem,
         freedom,
-        bounds: bounds(problem, given, freedom),
-        edges: edges_by_face(),
+        bounds: Bounds::new(problem, given, freedom),
         current: *given,
         used: [false; 6],
         best: *given,
         best_cost: f64::INFINITY,
         sources: given.images,
     };
-    search.lay(0, 0.0);
+    search.place(0, 0.0);
     search.best
 }
 
 struct BranchAndBound<'a> {
     problem: &'a Problem,
     freedom: Freedom,
-    /// The least that the edges paid for from a face on can cost.
-    bounds: [f64; 7],
-    /// The edges whose cost is added when a face is placed.
-    edges: [Vec<usize>; 6],
+    bounds: Bounds,
     current: Arrangement,
     used: [bool; 6],
     best: Arrangement,
@@ -55,26 +52,26 @@ struct BranchAndBound<'a> {
 }
 
 impl BranchAndBound<'_> {
-    fn lay(&mut self, face: usize, cost: f64) {
+    fn place(&mut self, face: usize, cost: f64) {
         if face == 6 {
-            if cost < self.best_cost {
-                (self.best, self.best_cost) = (self.current, cost);
-            }
+            (self.best, self.best_cost) = (self.current, cost);
             return;
         }
         let pinned = self.freedom.any_order && face == 0;
         let sources = if self.freedom.any_order && !pinned { 0..6 } else { face..face + 1 };
-        for source in sources.filter(|&source| !self.used[source]).collect::<Vec<_>>() {
+        for source in sources {
+            if self.used[source] {
+                continue;
+            }
             self.used[source] = true;
             self.current.images[face] = self.sources[source];
             for orientation in (0..8).filter(|&orientation| !(pinned && orientation > 0)) {
                 if self.allows(face, orientation) {
                     self.current.orientations[face] = orientation;
-                    let paid: f64 =
-                        self.edges[face].iter().map(|&edge| self.problem.edge_cost(&self.current, edge)).sum();
+                    let paid = edges_to(face).map(|edge| self.problem.edge_cost(&self.current, edge)).sum::<f64>();
                     // Costs that differ by rounding alone count as equal.
-                    if cost + paid + self.bounds[face + 1] < self.best_cost * (1.0 - 1e-9) {
-                        self.lay(face + 1, cost + paid);
+                    if cost + paid + self.bounds.rest(&self.current, face) < self.best_cost * (1.0 - 1e-9) {
+                        self.place(face + 1, cost + paid);
                     }
                 }
             }
@@ -87,47 +84,60 @@ impl BranchAndBound<'_> {
     }
 }
 
-/// For every face the edges to faces before it.
-fn edges_by_face() -> [Vec<usize>; 6] {
-    let mut edges: [Vec<usize>; 6] = Default::default();
-    for (index, edge) in Edge::ALL.iter().enumerate() {
-        edges[edge.second.index()].push(index);
-    }
-    edges
+/// The edges from a face to those before it, whose cost is added when it is placed.
+fn edges_to(face: usize) -> impl Iterator<Item = usize> {
+    (0..Edge::ALL.len()).filter(move |&edge| Edge::ALL[edge].second.index() == face)
 }
 
-/// For every face the least that it and those after it can cost.
-fn bounds(problem: &Problem, given: &Arrangement, freedom: Freedom) -> [f64; 7] {
-    let mut bounds = [0.0; 7];
-    for face in (0..6).rev() {
-        let least = |edge: usize| {
-            let Edge { first, second } = Edge::ALL[edge];
-            if freedom.any_order {
-                return least_between_any(problem);
-            }
-            let mut least = f64::INFINITY;
-            for orientations in (0..64).map(|index| [index / 8, index % 8]) {
-                let images = [given.images[first.index()], given.images[second.index()]];
-                least = least.min(problem.costs.total(images, problem.borders.at(edge, orientations)));
-            }
-            least
-        };
-        bounds[face] = bounds[face + 1] + edges_by_face()[face].iter().map(|&edge| least(edge)).sum::<f64>();
-    }
-    bounds
+/// The least that edges can cost.
+struct Bounds {
+    /// By edge, image and orientation of its first face.
+    placed: [[[f64; 8]; 6]; 12],
+    /// By edge, whatever its faces show.
+    unplaced: [f64; 12],
 }
 
-/// The cheapest pair of borders of two different images.
-fn least_between_any(problem: &Problem) -> f64 {
-    let mut least = f64::INFINITY;
-    for one in 0..24 {
-        for other in (one / 4 + 1) * 4..24 {
-            for reversed in [false, true] {
-                least = least.min(problem.costs.total_of(one, other, reversed));
+impl Bounds {
+    fn new(problem: &Problem, given: &Arrangement, freedom: Freedom) -> Self {
+        let mut bounds = Self { placed: [[[f64::INFINITY; 8]; 6]; 12], unplaced: [f64::INFINITY; 12] };
+        let cheapest_to: Vec<f64> = (0..24).map(|border| cheapest_continuation(problem, border)).collect();
+        for (index, &Edge { first, second }) in Edge::ALL.iter().enumerate() {
+            let images = if freedom.any_order { Face::ALL.to_vec() } else { vec![given.images[first.index()]] };
+            for (image, orientation) in images.into_iter().flat_map(|image| (0..8).map(move |turn| (image, turn))) {
+                let least = if freedom.any_order {
+                    let [border, _] = problem.borders.at(index, [orientation, 0]);
+                    cheapest_to[border_index(image, border.side)]
+                } else {
+                    let borders = (0..8).map(|other| problem.borders.at(index, [orientation, other]));
+                    let costs =
+                        borders.map(|borders| problem.costs.total([image, given.images[second.index()]], borders));
+                    costs.fold(f64::INFINITY, f64::min)
+                };
+                bounds.placed[index][image.index()][orientation] = least;
+                bounds.unplaced[index] = bounds.unplaced[index].min(least);
             }
         }
+        bounds
     }
-    least
+
+    /// The least that the edges to faces after this one can cost.
+    fn rest(&self, current: &Arrangement, face: usize) -> f64 {
+        let least = |(index, edge): (usize, &Edge)| {
+            let first = edge.first.index();
+            if first > face {
+                return self.unplaced[index];
+            }
+            self.placed[index][current.images[first].index()][current.orientations[first]]
+        };
+        Edge::ALL.iter().enumerate().filter(|(_, edge)| edge.second.index() > face).map(least).sum()
+    }
+}
+
+/// The least that any border of another image costs as the continuation of this one.
+fn cheapest_continuation(problem: &Problem, border: usize) -> f64 {
+    let others = (0..24).filter(|other| other / 4 != border / 4);
+    let costs = others.flat_map(|other| [false, true].map(|reversed| problem.costs.total_of(border, other, reversed)));
+    costs.fold(f64::INFINITY, f64::min)
 }
 
 #[cfg(test)]

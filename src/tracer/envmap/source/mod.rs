@@ -187,11 +187,18 @@ pub fn sets_in(folder: &Path) -> Vec<PathBuf> {
 
 fn open_archive(path: &Path, subfolder: Option<&str>) -> Result<Skybox> {
     let archive = Archive::open(path)?;
+    // What follows the slash may be the prefix of a set instead.
+    let sets = listing::sets(&archive.paths());
+    let set =
+        sets.into_iter().find(|(prefix, _)| subfolder.map(selection::without_separators) == Some(prefix.as_str()));
     let archive = match subfolder {
-        Some(folder) => archive.subfolder(folder)?,
-        None => archive,
+        Some(folder) if set.is_none() => archive.subfolder(folder)?,
+        _ => archive,
     };
-    let located = listing::find_faces(&archive.paths()).map_err(|error| error.in_file(path))?;
+    let located = match set {
+        Some((_, located)) => located,
+        None => listing::find_faces(&archive.paths()).map_err(|error| error.in_file(path))?,
+    };
     let images = images(|index| {
         let entry = archive.entry(located.six[index]);
         let name = entry.name();

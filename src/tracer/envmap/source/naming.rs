@@ -107,7 +107,7 @@ pub(super) struct Reading {
 
 /// All readings of a file name (without directories) as the name of a face, in the order of the table.
 pub(super) fn readings(file_name: &str) -> Vec<Reading> {
-    let original = stem(file_name);
+    let original = &without_marks(stem(file_name));
     // Letters of the same length in both cases, so that places in one are places in the other.
     let lower = Some(original.to_lowercase()).filter(|lower| lower.len() == original.len());
     let lower = lower.unwrap_or_else(|| original.to_ascii_lowercase());
@@ -126,6 +126,11 @@ pub(super) fn readings(file_name: &str) -> Vec<Reading> {
         }
     }
     readings
+}
+
+/// A name without combining accents: macOS writes `nahoře` as `nahore` and a caron after the r. The plain spelling is known.
+fn without_marks(name: &str) -> String {
+    name.chars().filter(|letter| !('\u{300}'..='\u{36f}').contains(letter)).collect()
 }
 
 /// The last number in a file name, with what stands before and after it: `sky_`, 03, `` of `sky_03.png`.
@@ -203,6 +208,15 @@ mod tests {
             ("ft.jpg", "posz"),
         ];
         for (name, face) in cases {
+            assert_eq!(faces(name), [face], "{name}");
+        }
+    }
+
+    #[test]
+    fn reads_names_with_combining_accents() {
+        for (name, face) in
+            [("nahor\u{30c}e.png", "posy"), ("zadni\u{301}.png", "negz"), ("derrie\u{300}re.png", "negz")]
+        {
             assert_eq!(faces(name), [face], "{name}");
         }
     }

@@ -48,6 +48,17 @@ fn an_archive_opens_in_place() {
 }
 
 #[test]
+fn a_set_of_an_archive_is_chosen_by_the_prefix_of_its_files() {
+    let folder = zip_of(&[six_entries("day_"), six_entries("night_")].concat());
+    for chosen in ["sky.zip/night", "sky.zip/night_"] {
+        let skybox = Skybox::open(&folder.path().join(chosen)).unwrap();
+        assert_eq!(skybox.images[0].name(), "sky.zip/night_posx.png");
+    }
+    assert!(error_at(&folder, "sky.zip").contains("2 complete sets of six faces"));
+    assert!(error_at(&folder, "sky.zip/noon").contains("the archive has no folder noon"));
+}
+
+#[test]
 fn a_subfolder_of_an_archive_is_named_after_a_slash() {
     let folder = zip_of(&[six_entries("Day/"), six_entries("Night/")].concat());
     insta::assert_snapshot!(error_at(&folder, "sky.zip"), @r"
