@@ -16,8 +16,8 @@
 use std::fmt;
 
 use crate::digits::rounded;
-use crate::envmap::{Lookup, Orientation};
-use crate::validate::{Check, FaceFix, Seam, Verdict};
+use crate::envmap::{Face, Lookup, Orientation};
+use crate::validate::{Check, FaceFix, ImageFacts, Seam, Verdict};
 
 /// A check of a map, to be printed.
 pub struct CheckReport<'a> {
@@ -93,34 +93,16 @@ fn formulas(fix: &FaceFix) -> Vec<String> {
 struct Json<'a> {
     map: &'a str,
     lookup: &'a str,
-    images: Vec<JsonImage<'a>>,
+    images: &'a [ImageFacts],
     verdict: Verdict,
-    seams: Vec<JsonSeam>,
-    fix: JsonFix,
-    handedness: JsonHandedness,
+    seams: &'a [Seam],
+    fix: JsonFix<'a>,
+    handedness: JsonHandedness<'a>,
     notes: Vec<String>,
 }
 
 #[derive(serde::Serialize)]
-struct JsonImage<'a> {
-    face: &'static str,
-    file: &'a str,
-    width: usize,
-    height: usize,
-    format: crate::picture::Format,
-}
-
-#[derive(serde::Serialize)]
-struct JsonSeam {
-    edge: String,
-    step: f64,
-    detail: f64,
-    score: f64,
-    verdict: Verdict,
-}
-
-#[derive(serde::Serialize)]
-struct JsonFix {
+struct JsonFix<'a> {
     faces: Vec<JsonFaceFix>,
     /// What happened to the files, and other stories that are as short.
     story: String,
@@ -128,14 +110,14 @@ struct JsonFix {
     changes: usize,
     convention: Option<&'static str>,
     margin: f64,
-    seams_after: Vec<JsonSeam>,
+    seams_after: &'a [Seam],
     equivalents: usize,
 }
 
 #[derive(serde::Serialize)]
 struct JsonFaceFix {
-    face: &'static str,
-    image: &'static str,
+    face: Face,
+    image: Face,
     u: &'static str,
     v: &'static str,
     image_operation: String,
@@ -143,26 +125,19 @@ struct JsonFaceFix {
 }
 
 #[derive(serde::Serialize)]
-struct JsonHandedness {
-    mirrored: Vec<&'static str>,
+struct JsonHandedness<'a> {
+    mirrored: &'a [Face],
 }
 
 impl<'a> Json<'a> {
     fn of(report: &'a CheckReport<'a>) -> Self {
         let check = report.check;
-        let images = check.images.iter().map(|image| JsonImage {
-            face: image.face.name(),
-            file: &image.file,
-            width: image.width,
-            height: image.height,
-            format: image.format,
-        });
         Self {
             map: &report.map,
             lookup: &check.lookup_name,
-            images: images.collect(),
+            images: &check.images,
             verdict: check.verdict,
-            seams: seams(&check.seams),
+            seams: &check.seams,
             fix: JsonFix {
                 faces: check.fix.faces.iter().map(|fix| face_fix(fix, &check.lookup)).collect(),
                 story: check.fix.story.to_string(),
@@ -170,10 +145,10 @@ impl<'a> Json<'a> {
                 changes: check.fix.changes,
                 convention: check.fix.convention().map(|convention| convention.name()),
                 margin: rounded(check.fix.margin, 1),
-                seams_after: seams(&check.fix.seams_after),
+                seams_after: &check.fix.seams_after,
                 equivalents: check.fix.equivalents,
             },
-            handedness: JsonHandedness { mirrored: check.mirrored.iter().map(|face| face.name()).collect() },
+            handedness: JsonHandedness { mirrored: &check.mirrored },
             notes: check.notes.iter().map(ToString::to_string).collect(),
         }
     }
@@ -182,24 +157,13 @@ impl<'a> Json<'a> {
 fn face_fix(fix: &FaceFix, lookup: &Lookup) -> JsonFaceFix {
     let (u, v) = fix.orientation.formulas();
     JsonFaceFix {
-        face: fix.face.name(),
-        image: fix.image.name(),
+        face: fix.face,
+        image: fix.image,
         u,
         v,
         image_operation: fix.orientation.image_operation(lookup.v_origin()).name(),
         decided: fix.decided,
     }
-}
-
-fn seams(seams: &[Seam]) -> Vec<JsonSeam> {
-    let seam = |seam: &Seam| JsonSeam {
-        edge: seam.edge.name(),
-        step: rounded(seam.step, 2),
-        detail: rounded(seam.detail, 2),
-        score: rounded(seam.score, 2),
-        verdict: seam.verdict,
-    };
-    seams.iter().map(seam).collect()
 }
 
 /// The rotations and mirrorings of a cube.

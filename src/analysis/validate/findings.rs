@@ -12,7 +12,7 @@ use crate::envmap::{Face, Lookup, Orientation};
 use crate::picture::Format;
 
 /// An image as the report lists it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, serde::Serialize)]
 pub struct ImageFacts {
     /// The name of the image.
     pub face: Face,
@@ -20,6 +20,7 @@ pub struct ImageFacts {
     pub width: usize,
     pub height: usize,
     pub format: Format,
+    #[serde(skip)]
     pub alpha: bool,
 }
 
