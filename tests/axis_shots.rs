@@ -35,7 +35,7 @@ fn as_file(raster: &Raster) -> Picture {
     decode(&encoded, Path::new("shot.png")).unwrap()
 }
 
-/// Every shot against the file of the image it shall show, pixel for pixel.
+/// Every shot against the file of the image it should show, pixel for pixel.
 fn assert_shows_the_files(preset: Preset, world_up: SignedAxis, expected: [(Face, Face); 6]) {
     let compass = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps/compass");
     let skybox = Skybox::open(&compass).unwrap();

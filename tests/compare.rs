@@ -97,7 +97,7 @@ fn names(comparison: &Comparison) -> Vec<String> {
                 let across = finding.figures["horizontally"].as_bool().unwrap();
                 format!("stretched {} {:.2}", if across { "across" } else { "down" }, number("factor"))
             }
-            "laid" => text("operation").to_owned(),
+            "orientation" => text("operation").to_owned(),
             "encoding" if text("curve") == "power" => format!("power {:.1}", number("power")),
             "encoding" => text("curve").to_owned(),
             "exposure" => format!("exposure {:.1}", number("factor")),

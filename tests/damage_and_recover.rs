@@ -1,4 +1,4 @@
-//! Right maps stay right, and damaged ones are recovered: laid wrongly face by face, on all faces, with images that
+//! Right maps stay right, and damaged ones are recovered: orientations wrong face by face, on all faces, with images that
 //! changed places; as PNG and as JPEG of quality 50; small and large.
 //!
 //! `cargo test --release --test damage_and_recover -- --ignored --nocapture` prints the whole table.

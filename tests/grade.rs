@@ -228,7 +228,7 @@ fn judged_by(path: &Path, lookup: Preset) -> Photographs {
     Photographs { name, side: map.picture(Face::PosX).unwrap().width(), bytes: bytes.into(), grader }
 }
 
-/// True if all cases on all maps shall be tried, which takes minutes: `SKYCUBE_THOROUGH=1 cargo test --release --test grade`.
+/// True to try all cases on all maps, which takes minutes: `SKYCUBE_THOROUGH=1 cargo test --release --test grade`.
 fn thorough() -> bool {
     std::env::var_os("SKYCUBE_THOROUGH").is_some()
 }
@@ -356,7 +356,7 @@ fn a_wrong_camera_is_told_from_a_wrong_lookup() {
             assert!(matches!(grade.alternatives[..], [Alternative::Lookup(_)]));
             row.check(&student, &photographs, &grade);
         }
-        row.print("pictures laid otherwise", &photographs.name);
+        row.print("pictures in other orientations", &photographs.name);
         let mut row = Row::default();
         let mixed = [
             [(0, 1.0), (2, 1.0), (1, -1.0)],

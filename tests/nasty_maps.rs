@@ -7,7 +7,7 @@ mod made_up;
 mod pictures;
 
 use made_up::from_directions;
-use pictures::{Map, Storage, computed, display, laid, right_maps};
+use pictures::{Map, Storage, computed, display, oriented, right_maps};
 use skycube::envmap::{Face, Orientation};
 use skycube::picture::Picture;
 use skycube::stress::Random;
@@ -74,7 +74,7 @@ fn unrelated_pictures_are_undecidable() {
     for trial in 0..20 {
         let pictures: [Picture; 6] = std::array::from_fn(|face| {
             let map = &maps[(trial + face * (1 + trial % 3)) % maps.len()].1;
-            laid(&map.pictures()[random.below(6)], Orientation::ALL[random.below(8)])
+            oriented(&map.pictures()[random.below(6)], Orientation::ALL[random.below(8)])
         });
         assert_unbroken(&format!("mixture {trial}"), &Map::new(pictures));
     }
@@ -264,7 +264,7 @@ fn a_grey_face_among_coloured_ones_belongs_and_a_turned_one_is_found() {
     for (name, map) in maps().into_iter().filter(|(name, _)| ["compass", "meadow", "studio-garden"].contains(name)) {
         let grey = changed(&map.pictures()[4], |_, _, c| [(c[0] + 2.0 * c[1] + c[2]) / 4.0; 3]);
         assert_unbroken(&format!("{name} with a grey face"), &with(&map, 4, grey.clone()));
-        let check = with(&map, 4, laid(&grey, Orientation::ALL[4])).check(Names::Trusted);
+        let check = with(&map, 4, oriented(&grey, Orientation::ALL[4])).check(Names::Trusted);
         let fix = check.fix.faces[4];
         let others =
             check.fix.faces.iter().all(|fix| fix.face == Face::PosZ || fix.orientation == Orientation::IDENTITY);

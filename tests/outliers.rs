@@ -5,10 +5,11 @@ mod common;
 #[path = "damage/pictures.rs"]
 mod pictures;
 
-use pictures::{Map, Storage, computed, display, right_maps};
+use pictures::{Map, Storage, computed, display, project_map, right_maps};
+use skycube::envmap::Face;
 use skycube::picture::Picture;
 use skycube::stress::Random;
-use skycube::validate::{Check, Names, Note, Verdict};
+use skycube::validate::{Check, Names, Note, Outlier, Reason, Verdict};
 
 fn changed(picture: &Picture, change: impl Fn(usize, usize, [f32; 3]) -> [f32; 3]) -> Picture {
     computed(picture.width(), |x, y| change(x, y, display(picture, x, y)))
@@ -44,6 +45,20 @@ fn two_faces_of_another_scene_do_not_fit_and_change_nothing() {
             assert_ne!(check.verdict, Verdict::Fits, "{name} {size} {faces:?}");
             assert!(check.fix.changes == 0 && !rough_but_fitting(&check), "{name} {size} {faces:?}: {:?}", check.fix);
         }
+    }
+}
+
+/// At 32 texels and JPEG quality 25 few borders tell anything, but nobody overlooks a black face.
+#[test]
+fn a_face_of_one_colour_stands_out_where_compression_leaves_little_of_the_others() {
+    let map = project_map("hall").stored(&Storage::png(32));
+    for (face, code) in (0..6).flat_map(|face| [0.0, 200.0].map(|code| (face, code))) {
+        let check = with(&map, &[face], |_| computed(32, |_, _| [code; 3]))
+            .stored(&Storage::jpeg_of_quality(32, 25))
+            .check(Names::Auto);
+        let outliers: Vec<Outlier> = vec![Outlier { face: Face::ALL[face], reason: Reason::Flat }];
+        assert_eq!((check.verdict, check.outliers), (Verdict::Broken, outliers), "face {face}, colour {code}");
+        assert_eq!(check.fix.changes, 0, "face {face}, colour {code}");
     }
 }
 

@@ -191,7 +191,7 @@ fn a_lookup_whose_axes_do_not_span_the_face_is_refused() {
         "[environment]\nkind = \"cube-map\"\nmap = {map:?}\n[environment.lookup]\nv_origin = \"bottom\"\n{rows}"
     );
     insta::assert_snapshot!(error(&text), @r"
-    scene.toml:7: environment.lookup: posx: u = +x and v = +z do not span the face: they must be the two other axes, once each
+    scene.toml:7: environment.lookup: posx: u = +x and v = +z do not span the face: use both other axes, once each
     ");
 }
 

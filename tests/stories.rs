@@ -7,7 +7,7 @@ mod common;
 #[path = "damage/pictures.rs"]
 mod pictures;
 
-use pictures::{Map, Storage, computed, laid, right_maps};
+use pictures::{Map, Storage, computed, oriented, right_maps};
 use skycube::envmap::{Face, Orientation};
 use skycube::picture::Picture;
 use skycube::validate::{Check, Names, Verdict};
@@ -42,7 +42,7 @@ struct Files {
 impl Files {
     fn in_order(map: &Map, order: &Order) -> Self {
         let orientation = Orientation::ALL[order.orientation];
-        let picture = |file: usize| laid(&map.pictures()[order.images[file]], orientation);
+        let picture = |file: usize| oriented(&map.pictures()[order.images[file]], orientation);
         Self {
             pictures: std::array::from_fn(picture),
             truth: std::array::from_fn(|file| Some((order.images[file], orientation))),
@@ -56,7 +56,7 @@ impl Files {
     }
 
     fn edited(mut self, file: usize, edit: Orientation) -> Self {
-        self.pictures[file] = laid(&self.pictures[file], edit);
+        self.pictures[file] = oriented(&self.pictures[file], edit);
         self.truth[file] = self.truth[file].map(|(image, before)| (image, before.after(edit)));
         self
     }
@@ -80,7 +80,7 @@ impl Files {
 struct Tally {
     told: usize,
     also: usize,
-    undecided: usize,
+    undecided: Vec<String>,
     other: Vec<String>,
 }
 
@@ -92,14 +92,14 @@ impl Tally {
         } else if !check.fix.also.is_empty() {
             self.also += 1;
         } else if check.verdict == Verdict::Undecidable || check.fix.changes == 0 {
-            self.undecided += 1;
+            self.undecided.push(format!("{what}: {}, {}", check.verdict.name(), check.fix.story));
         } else {
             self.other.push(format!("{what}: {}", check.fix.story));
         }
     }
 }
 
-fn tell(name: &str, map: &Map, foreign: &Map, orders: &[&Order]) -> [Tally; 6] {
+fn tell(name: &str, map: &Map, another: &Map, orders: &[&Order]) -> [Tally; 6] {
     let mut tallies: [Tally; 6] = Default::default();
     let size = map.pictures()[0].width();
     for order in orders {
@@ -119,7 +119,7 @@ fn tell(name: &str, map: &Map, foreign: &Map, orders: &[&Order]) -> [Tally; 6] {
             for flip in [1, 2] {
                 add(2, named("flipped"), files.clone().edited(file, Orientation::ALL[flip]));
             }
-            add(3, named("of another scene"), files.clone().replaced(file, foreign.pictures()[file].clone()));
+            add(3, named("of another scene"), files.clone().replaced(file, another.pictures()[file].clone()));
             add(4, named("flat"), files.clone().replaced(file, computed(size, |_, _| [128.0; 3])));
             add(5, named("black"), files.clone().replaced(file, computed(size, |_, _| [0.0; 3])));
         }
@@ -135,13 +135,17 @@ fn run(names: &[&str], size: usize, orders: &[&Order]) -> usize {
         right_maps().into_iter().map(|(name, map)| (name, map.stored(&Storage::png(size)))).collect();
     let mut others = 0;
     for (index, (name, map)) in maps.iter().enumerate().filter(|(_, map)| names.is_empty() || names.contains(&map.0)) {
-        let foreign = &maps[(index + 1) % maps.len()].1;
-        for (kind, tally) in KINDS.iter().zip(tell(name, map, foreign, orders)) {
+        let another = &maps[(index + 1) % maps.len()].1;
+        for (kind, tally) in KINDS.iter().zip(tell(name, map, another, orders)) {
             let Tally { told, also, undecided, other } = &tally;
             println!(
-                "{name:28} {size:4} {kind:16} told {told:3} equal {also:3} undecided {undecided:3} other {:3}",
+                "{name:28} {size:4} {kind:16} told {told:3} equal {also:3} undecided {:3} other {:3}",
+                undecided.len(),
                 other.len()
             );
+            for undecided in undecided {
+                println!("    undecided: {undecided}");
+            }
             for other in other {
                 println!("    {other}");
             }

@@ -200,7 +200,7 @@ fn the_report_on_swapped_faces() {
 
 #[test]
 fn the_report_on_a_turned_face() {
-    let check = faulty(|pictures| pictures[2] = pictures::laid(&pictures[2], skycube::envmap::Orientation::ALL[4]));
+    let check = faulty(|pictures| pictures[2] = pictures::oriented(&pictures[2], skycube::envmap::Orientation::ALL[4]));
     insta::assert_snapshot!("turned_text", CheckReport::new("turned".to_owned(), &check));
 }
 

@@ -12,7 +12,7 @@ use crate::picture::{check_target, read};
 use crate::report::{CompareReport, Metric, draw_comparison};
 
 #[derive(Debug, Args)]
-#[command(after_help = "Exit codes: 0 within the threshold, 1 outside it, or of a fault that no threshold allows \
+#[command(after_help = "Exit codes: 0 within the threshold, 1 outside it, or with a fault that no threshold allows \
                         (flipped, turned, red and blue exchanged, not finite, clearly different in one place or \
                         altogether), 2 could not run.")]
 pub struct CompareArguments {

@@ -5,8 +5,8 @@ use std::path::Path;
 
 use crate::error::{Error, Result};
 
-/// Writes a file in one step: the bytes go to a temporary file beside the target, which then takes its name. Whatever
-/// happens on the way, the target is the old file or the new one. The permissions are those of any new file (`umask`).
+/// Writes a file in one step: the bytes go to a temporary file beside the target, which then takes its name. At
+/// every moment the target is the whole old file or the whole new one. The permissions are those of any new file (`umask`).
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
     write_together([(path, bytes)])
 }

@@ -143,7 +143,7 @@ impl<'a> Table<'a> {
         close.then(|| self.value(found).error("unknown key").help(format!("did you mean \"{key}\"?")))
     }
 
-    /// Takes all keys that are left, whatever their names.
+    /// Takes all remaining keys.
     pub fn take_all(&mut self) -> Vec<(String, Value<'a>)> {
         let entries = std::mem::take(&mut self.entries);
         entries.iter().map(|entry| (entry.key.to_owned(), self.value(entry))).collect()

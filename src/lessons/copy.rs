@@ -29,6 +29,7 @@ pub fn start(lesson: &Lesson, folder: &Path) -> Result<Vec<Started>> {
 /// A file of a lesson in the student's folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Started {
+    /// Where the copy lies.
     pub file: PathBuf,
     /// True if an earlier start had copied it, and it was left alone.
     pub was_there: bool,

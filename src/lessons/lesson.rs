@@ -25,16 +25,22 @@ pub enum Language {
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Bilingual {
+    /// English.
     pub en: String,
+    /// Czech.
     pub cs: String,
 }
 
 /// A lesson.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Lesson {
+    /// The folder with its texts and scenes.
     pub folder: PathBuf,
+    /// From 1, in the order of the course.
     pub number: u32,
+    /// A few words.
     pub title: Bilingual,
+    /// One sentence.
     pub goal: Bilingual,
     /// What one must have before.
     pub needs: Bilingual,
@@ -42,7 +48,7 @@ pub struct Lesson {
     pub files: Vec<PathBuf>,
     /// Command lines, each beginning with `skycube `.
     pub commands: Vec<String>,
-    /// Samples per pixel of `expected-NAME.png`, for the scene `NAME.toml`: so many that hardly any noise is left. The expected
+    /// Samples per pixel of `expected-NAME.png`, for the scene `NAME.toml`: enough to leave hardly any noise. The expected
     /// picture of a scene that is not here was rendered with the scene's own samples.
     pub expected_samples: BTreeMap<String, NonZeroU32>,
 }
@@ -62,6 +68,7 @@ struct Keys {
 }
 
 impl Bilingual {
+    /// The text in a language.
     pub fn in_language(&self, language: Language) -> &str {
         match language {
             Language::En => &self.en,

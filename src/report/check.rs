@@ -26,6 +26,7 @@ pub struct CheckReport<'a> {
 }
 
 impl<'a> CheckReport<'a> {
+    /// The report on the map that the user calls `map`.
     pub fn new(map: String, check: &'a Check) -> Self {
         Self { map, check }
     }

@@ -16,19 +16,21 @@ mod shots;
 mod stress;
 mod trace;
 
-pub use chart::Chart;
-pub use check::{CheckReport, failed_check_json, nothing_to_fix};
-pub use code::{CodeLanguage, lookup_code};
+pub use check::CheckReport;
 pub use compare::{CompareReport, Metric, draw_comparison};
 pub use converge::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
-pub use drawing::{
-    Anchor, CaptionedShot, CrossInput, Drawing, SeamMark, draw_compass_face, draw_contact_sheet, draw_cross, text_path,
-};
+pub use drawing::{Anchor, Drawing, draw_compass_face, text_path};
 pub use grade::GradeReport;
-pub use lessons::{lesson_list, lesson_page, lesson_started};
-pub use probe::ProbeReport;
-pub use render::RenderReport;
-pub use shots::ShotsReport;
 #[cfg(feature = "stress")]
-pub use stress::{StressReport, draw_stress};
-pub use trace::TraceReport;
+pub use stress::StressReport;
+
+pub(crate) use check::{failed_check_json, nothing_to_fix};
+pub(crate) use code::{CodeLanguage, lookup_code};
+pub(crate) use drawing::{CaptionedShot, CrossInput, SeamMark, draw_contact_sheet, draw_cross};
+pub(crate) use lessons::{lesson_list, lesson_page, lesson_started};
+pub(crate) use probe::ProbeReport;
+pub(crate) use render::RenderReport;
+pub(crate) use shots::ShotsReport;
+#[cfg(feature = "stress")]
+pub(crate) use stress::draw_stress;
+pub(crate) use trace::TraceReport;

@@ -101,6 +101,7 @@ impl Camera {
         [self.width, self.height]
     }
 
+    /// In the world: the centre of the lens.
     pub fn position(&self) -> DVec3 {
         self.position
     }

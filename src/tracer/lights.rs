@@ -6,13 +6,37 @@ use crate::math::{DVec3, Vec3};
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Light {
     /// The same radiance from everywhere, unshadowed: a stand-in for light reflected many times.
-    Ambient { radiance: Vec3 },
+    Ambient {
+        /// Per steradian, from every direction.
+        radiance: Vec3,
+    },
     /// Parallel light. `direction` is the unit direction it travels in, `irradiance` what a surface facing it gets.
-    Directional { direction: DVec3, irradiance: Vec3 },
+    Directional {
+        /// From the light to the scene.
+        direction: DVec3,
+        /// On a surface that faces the light.
+        irradiance: Vec3,
+    },
     /// Light from a point, in all directions.
-    Point { position: DVec3, intensity: Vec3, falloff: Falloff },
+    Point {
+        /// In the world.
+        position: DVec3,
+        /// Power per steradian.
+        intensity: Vec3,
+        /// How the light decreases with distance.
+        falloff: Falloff,
+    },
     /// Light from a point in a cone.
-    Spot { position: DVec3, intensity: Vec3, falloff: Falloff, cone: Cone },
+    Spot {
+        /// In the world.
+        position: DVec3,
+        /// Power per steradian, within the inner angle.
+        intensity: Vec3,
+        /// How the light decreases with distance.
+        falloff: Falloff,
+        /// Axis and angles.
+        cone: Cone,
+    },
 }
 
 /// How the light of a point grows weaker with distance.
@@ -30,7 +54,9 @@ pub enum Falloff {
 pub struct Cone {
     /// Unit direction of the cone's axis, away from the light.
     pub axis: DVec3,
+    /// Cosine of the inner angle, measured from the axis.
     pub cos_inner: f64,
+    /// Cosine of the outer angle; at most `cos_inner`.
     pub cos_outer: f64,
 }
 

@@ -25,7 +25,11 @@ impl Storage {
     }
 
     pub fn jpeg(size: usize) -> Self {
-        Self { size, quality: Some(50) }
+        Self::jpeg_of_quality(size, 50)
+    }
+
+    pub fn jpeg_of_quality(size: usize, quality: u8) -> Self {
+        Self { size, quality: Some(quality) }
     }
 
     pub fn name(&self) -> String {
@@ -70,10 +74,16 @@ pub fn right_maps() -> Vec<(&'static str, Map)> {
         .collect()
 }
 
+/// A map of the project, by the name of its folder.
+pub fn project_map(name: &str) -> Map {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps").join(name);
+    Map::read(&folder, Face::ALL, Orientation::IDENTITY)
+}
+
 impl Map {
     fn read(path: &Path, order: [Face; 6], orientation: Orientation) -> Self {
         let skybox = Skybox::open(path).unwrap();
-        let pictures = order.map(|face| laid(&skybox.image(face).decode().unwrap(), orientation));
+        let pictures = order.map(|face| oriented(&skybox.image(face).decode().unwrap(), orientation));
         Self { pictures }
     }
 
@@ -110,15 +120,15 @@ impl Map {
         0.3 / mean
     }
 
-    /// The map with images in other places and laid otherwise.
+    /// The map with images in other places and other orientations.
     pub fn damaged(&self, images: &[usize; 6], orientations: &[Orientation; 6]) -> Self {
-        Self { pictures: std::array::from_fn(|face| laid(&self.pictures[images[face]], orientations[face])) }
+        Self { pictures: std::array::from_fn(|face| oriented(&self.pictures[images[face]], orientations[face])) }
     }
 
     /// True if an original image in an orientation has the texels of the original at a face.
     pub fn looks_alike(&self, image: usize, orientation: Orientation, face: usize) -> bool {
         (image == face && orientation == Orientation::IDENTITY)
-            || laid(&self.pictures[image], orientation).texels() == self.pictures[face].texels()
+            || oriented(&self.pictures[image], orientation).texels() == self.pictures[face].texels()
     }
 
     pub fn check(&self, names: Names) -> Check {
@@ -139,7 +149,7 @@ impl Map {
 }
 
 /// A picture after the operation on the file that the orientation amounts to.
-pub fn laid(picture: &Picture, orientation: Orientation) -> Picture {
+pub fn oriented(picture: &Picture, orientation: Orientation) -> Picture {
     if orientation == Orientation::IDENTITY {
         return picture.clone();
     }

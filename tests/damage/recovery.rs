@@ -111,7 +111,7 @@ impl<'a> Recovery<'a> {
         assert_undecided_change_for_the_better(&damaged, &check);
         let mut unlike = Vec::new();
         for fix in check.fix.faces {
-            // What the face shows after the fix: which original image, laid how.
+            // What the face shows after the fix: which original image, in which orientation.
             let source = damage.images[fix.image.index()];
             let orientation = damage.orientations[fix.image.index()].after(fix.orientation);
             if self.map.looks_alike(source, orientation, fix.face.index()) {
@@ -130,7 +130,7 @@ impl<'a> Recovery<'a> {
         let check = self.map.damaged(&damage.images, &damage.orientations).check(self.names);
         let done = damage.orientations.map(|orientation| orientation.formulas());
         let found = check.fix.faces.map(|fix| (fix.image.name(), fix.orientation.formulas(), fix.decided));
-        format!("images {:?} laid {done:?}: {:?} {found:?} {:?}", damage.images, check.verdict, check.outliers)
+        format!("images {:?} in {done:?}: {:?} {found:?} {:?}", damage.images, check.verdict, check.outliers)
     }
 
     /// The outcome if these original images are undecided and do not lie as in the original.
@@ -178,7 +178,8 @@ fn assert_undecided_change_for_the_better(damaged: &Map, check: &Check) {
         let found = check.fix.faces.map(|fix| fix.orientation);
         let mut kept = found;
         kept[fix.face.index()] = Orientation::IDENTITY;
-        let [found, kept] = [found, kept].map(|laid| steps(&damaged.damaged(&images, &laid), &[]).iter().sum::<i64>());
+        let [found, kept] =
+            [found, kept].map(|orientations| steps(&damaged.damaged(&images, &orientations), &[]).iter().sum::<i64>());
         assert!(found < kept, "{} is undecided and changed: {:?}", fix.face.name(), check.fix);
     }
 }

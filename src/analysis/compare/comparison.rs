@@ -10,7 +10,9 @@ use crate::picture::{Header, Picture, Raster};
 /// Two pictures compared.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Comparison {
+    /// The student's file.
     pub mine: Header,
+    /// The expected file.
     pub expected: Header,
     /// In the order they were looked for.
     pub findings: Vec<Finding>,
@@ -33,6 +35,7 @@ pub enum Verdict {
     Identical,
     /// Different by no more than the threshold.
     Matches,
+    /// Different by more than the threshold, or of another size.
     Differs,
 }
 

@@ -19,7 +19,7 @@ pub struct Finding {
     /// What a student reads.
     pub sentence: String,
     #[serde(skip)]
-    pub weight: Weight,
+    pub(crate) weight: Weight,
     /// The figures of this kind by their names, rounded to the digits that are stable.
     #[serde(flatten)]
     pub figures: Value,

@@ -19,7 +19,7 @@ struct Placed {
 }
 
 impl Kind for Placed {
-    const NAME: &'static str = "laid";
+    const NAME: &'static str = "orientation";
     const WEIGHT: Weight = Weight::Fault;
 
     fn sentence(&self) -> String {

@@ -11,8 +11,11 @@ use crate::metrics::Plane;
 pub struct Region {
     /// Left column and top row, from the top left corner of the expected picture.
     pub x: usize,
+    /// Top row.
     pub y: usize,
+    /// Columns of pixels.
     pub width: usize,
+    /// Rows of pixels.
     pub height: usize,
     /// Mean FLIP inside.
     #[serde(serialize_with = "digits::<4, _>")]

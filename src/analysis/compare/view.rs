@@ -8,10 +8,13 @@ use crate::picture::Raster;
 /// Mine and the expected picture in one size, and how they differ.
 #[derive(Debug, Clone, PartialEq)]
 pub struct View {
+    /// The student's picture, in linear RGB.
     pub mine: Raster,
+    /// The expected picture, in linear RGB.
     pub expected: Raster,
     /// Where its top left corner lies in the expected picture.
     pub corner: [usize; 2],
+    /// The errors of `mine` against `expected`.
     pub metrics: Metrics,
     /// FLIP of every pixel.
     pub flip: Plane,

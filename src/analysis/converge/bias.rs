@@ -5,7 +5,7 @@ use serde::Serialize;
 use crate::math::DVec3;
 use crate::picture::Raster;
 
-/// The mean square of what the expectation of a rendering is off.
+/// The mean squared difference between the expectation of a rendering and the truth.
 ///
 /// With two renderings x, y and two references a, b, all independent, of a pixel whose expectations are X and A,
 ///
@@ -13,13 +13,13 @@ use crate::picture::Raster;
 ///   E[(x - a) (y - b)] = (X - A)^2
 /// ```
 ///
-/// for the noise of the four has mean 0 and shares no factor: the mean of the product over all pixels estimates the mean
-/// squared bias, whatever the noise, and the spread over the pixels tells how well. The estimate may be negative.
+/// because the noise of the four is independent and has mean 0. The mean of the product over all pixels therefore estimates
+/// the mean squared bias at any noise level; its spread over the pixels gives the standard error. It may be negative.
 ///
-/// Like every estimate from samples it knows only what the samples met: light that is found by rare chance, and was not
-/// found by any of the renderings, looks like bias.
+/// Rare light paths that no rendering found look like bias, as in every estimate from samples.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Bias {
+    /// Squared bias, in the mean over pixels and channels; an estimate, which may be negative.
     #[serde(rename = "bias_squared")]
     pub squared: f64,
     /// Standard error of `squared`.
@@ -62,7 +62,7 @@ impl Bias {
         self.squared > Self::SIGNIFICANCE * self.squared_error
     }
 
-    /// Root mean square of the bias in units of radiance; 0 if it is estimated to be less than nothing.
+    /// Root mean square of the bias in units of radiance; 0 if the estimate is negative.
     pub fn root(&self) -> f64 {
         self.squared.max(0.0).sqrt()
     }

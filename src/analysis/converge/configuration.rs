@@ -10,12 +10,17 @@ use crate::scene::{Caustics, IntegratorKind, Scene, Strategy};
 /// One configuration of a scene.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Configuration {
+    /// The integrator.
     pub integrator: IntegratorKind,
     /// The greatest number of reflections and refractions.
     pub depth: u32,
+    /// How the path tracer finds light.
     pub strategy: Strategy,
+    /// Whether photons guide the path tracer.
     pub caustics: Caustics,
+    /// Where the random numbers of a sample come from.
     pub sampler: SamplerKind,
+    /// How samples near a pixel count for it.
     pub pixel_filter: PixelFilter,
     /// How the environment is read between texels; `None` if it is not a cube map.
     #[serde(serialize_with = "none_as_word")]

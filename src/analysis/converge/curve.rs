@@ -22,13 +22,16 @@ use crate::scene::{Plan, Scene};
 /// A rendering after this number of samples per pixel, in the mean over the seeds.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Step {
+    /// Samples per pixel.
     pub samples: u32,
     /// From the scene in memory to the picture: tables that a plan asks for included, decoding of pictures not.
     pub seconds: f64,
     /// Rays traced.
     pub rays: u64,
+    /// Errors against the reference.
     #[serde(flatten)]
     pub errors: Errors,
+    /// The part of the error that more samples do not remove.
     #[serde(flatten)]
     pub bias: Bias,
     /// Mean over all pixels and channels of the pictures of all seeds.
@@ -47,8 +50,10 @@ impl Step {
 /// what does not converge.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Fit {
+    /// Against samples per pixel; `None` with fewer than two usable steps.
     #[serde(rename = "slope_against_samples")]
     pub against_samples: Option<f64>,
+    /// Against seconds; `None` with fewer than two usable steps.
     #[serde(rename = "slope_against_seconds")]
     pub against_seconds: Option<f64>,
     /// Steps it was fitted to: those whose error is at least twice that of the reference, which hides smaller ones.
@@ -59,11 +64,15 @@ pub struct Fit {
 /// One variant at all its steps.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Curve {
+    /// The variant, as tables and plots name it.
     pub label: String,
+    /// All settings of the variant.
     pub configuration: Configuration,
     /// Number of the reference that the errors are against.
     pub reference: usize,
+    /// By growing number of samples.
     pub steps: Vec<Step>,
+    /// Slopes of the error over the steps.
     pub fit: Fit,
 }
 

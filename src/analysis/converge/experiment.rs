@@ -11,6 +11,7 @@ use crate::scene::Scene;
 /// The result for one scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Convergence {
+    /// By the numbers that curves hold.
     pub references: Vec<ReferenceFacts>,
     /// One of every variant that was begun, with the steps that were finished.
     pub curves: Vec<Curve>,

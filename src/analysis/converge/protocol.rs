@@ -7,6 +7,7 @@ use super::schedule::Schedule;
 /// How an experiment is done.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Protocol<'a> {
+    /// The numbers of samples, and when to stop.
     pub schedule: Schedule,
     /// Renderings of every variant, each with another seed; at least 2, since a single one does not show the bias.
     pub seeds: u32,

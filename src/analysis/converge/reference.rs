@@ -27,6 +27,7 @@ pub struct Reference {
 /// What a report says of a reference.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ReferenceFacts {
+    /// The settings it was rendered with.
     pub configuration: Configuration,
     /// Samples per pixel over both halves.
     pub samples: u32,

@@ -11,7 +11,7 @@ pub enum Schedule {
     Time(Duration),
 }
 
-/// The most samples per pixel, whatever the time.
+/// The largest number of samples per pixel, even if time is left.
 const MOST_SAMPLES: f64 = (1 << 24) as f64;
 
 /// A step that adds less than this share is not worth a point in a plot.

@@ -38,8 +38,8 @@ pub enum Setting {
 /// The values that one setting is given in turn, written `strategy=bsdf,light,mis`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Variation {
-    pub aspect: Aspect,
-    pub settings: Vec<Setting>,
+    pub(super) aspect: Aspect,
+    pub(super) settings: Vec<Setting>,
 }
 
 /// The usual comparisons.
@@ -64,7 +64,9 @@ pub enum Comparison {
 /// A variant of a scene, and its label in tables and plots.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Variant {
+    /// The values that make it differ, as tables and plots name it.
     pub label: String,
+    /// All its settings.
     pub configuration: Configuration,
 }
 

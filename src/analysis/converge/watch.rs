@@ -9,23 +9,25 @@ use crate::render::{Progress, Silent};
 pub enum Work {
     /// Samples of pixels.
     Samples(u64),
+    /// Run time.
     Time(Duration),
 }
 
-/// Told of the phases of an experiment; asked whether to stop.
+/// Follows the phases of an experiment, and may stop it.
 pub trait Watch {
+    /// Counts the work of one phase while it runs.
     type Phase: Progress;
 
     /// A phase begins; it ends when the answer is dropped.
     fn begin(&self, what: &str, work: Work) -> Self::Phase;
 
-    /// True if no more is wanted.
+    /// True if the experiment should stop.
     fn cancelled(&self) -> bool {
         false
     }
 }
 
-/// Nobody looks on.
+/// Shows nothing and never stops.
 pub struct Unwatched;
 
 impl Watch for Unwatched {

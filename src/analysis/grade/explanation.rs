@@ -16,11 +16,13 @@ pub(super) struct Reading {
 /// What the code does for one face.
 #[derive(Debug, Clone, PartialEq)]
 pub struct FaceGrade {
+    /// The face that the shot should show.
     pub face: Face,
     /// The shot that shows it, by the name of its file.
     pub shot: Face,
     /// What the code may read, the most plausible first; one if decided, none if the shot fits no orientation.
     pub possible: Vec<Placement>,
+    /// What the shot looks like if it shows no image; `None` if it shows one.
     pub misfit: Option<Misfit>,
     /// The image it should read.
     pub expected: Face,
@@ -32,6 +34,7 @@ impl FaceGrade {
         self.possible.first().copied()
     }
 
+    /// True if the pixels leave one placement.
     pub fn is_decided(&self) -> bool {
         self.possible.len() == 1
     }

@@ -73,7 +73,7 @@ pub(super) fn variance(values: &[f32]) -> f64 {
     values.iter().map(|&value| (f64::from(value) - mean) * (f64::from(value) - mean)).sum::<f64>() / count
 }
 
-/// Mean square of each channel around its own mean: 0 for a plain colour, whatever it is. Three values a cell.
+/// Mean square of each channel around its own mean: 0 for any plain colour. Three values a cell.
 pub(super) fn relief(values: &[f32]) -> f64 {
     let channel = |channel: usize| variance(&values.iter().skip(channel).step_by(3).copied().collect::<Vec<f32>>());
     (0..3).map(channel).sum::<f64>() / 3.0

@@ -17,9 +17,11 @@ const ALL: f64 = 0.95;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Misfit {
+    /// Every pixel is black.
     Black,
     /// A part is black, the rest is not.
     PartlyBlack,
+    /// One colour that is not black.
     OneColour,
     /// Streaks: whole stretches of rows or columns repeat their neighbours.
     Smeared,
@@ -27,6 +29,7 @@ pub enum Misfit {
     OneCoordinate,
     /// Its halves are the same.
     Repeated,
+    /// A picture, but of nothing in the map.
     Unlike,
 }
 

@@ -63,9 +63,13 @@ struct Undivided {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum GradeVerdict {
+    /// Camera and lookup are as they should be.
     Right,
+    /// The lookup is wrong, the camera right.
     Lookup,
+    /// The camera is wrong, the lookup right.
     Camera,
+    /// Both are wrong.
     CameraAndLookup,
     /// A shot fits no orientation of any image.
     OutOfRange,
@@ -76,6 +80,7 @@ pub enum GradeVerdict {
 /// What the student's code does.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Grade {
+    /// Where the camera looks, against where it should.
     pub camera: CameraFault,
     /// The angle it saw, in degrees; `None` for 90.
     pub field_of_view: Option<f64>,
@@ -190,6 +195,7 @@ fn read_shot(views: &Views, images: &ImageLevels, index: usize, scale: f64) -> R
 }
 
 impl Grade {
+    /// The camera's faults and the lookup's, summed up.
     pub fn verdict(&self) -> GradeVerdict {
         let camera = self.camera != CameraFault::NONE || self.field_of_view.is_some();
         let lookup = self.undivided || self.faces.iter().any(FaceGrade::is_wrong);

@@ -16,7 +16,9 @@ use crate::envmap::{Face, FaceLookup, Lookup, Orientation, SignedAxis, VOrigin};
 pub struct ShotFrame {
     /// The axis it looks along, by the name of the face.
     pub face: Face,
+    /// The world axis to the right on the screen.
     pub right: SignedAxis,
+    /// The world axis to the top of the screen.
     pub up: SignedAxis,
 }
 
@@ -24,7 +26,9 @@ pub struct ShotFrame {
 /// given lookup computes for the same face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Placement {
+    /// The image, by its name.
     pub image: Face,
+    /// (u', v') as functions of (u, v).
     pub orientation: Orientation,
 }
 
@@ -76,7 +80,7 @@ impl CameraFault {
         Orientation::ALL.into_iter().map(|orientation| Self { orientation, ..Self::NONE })
     }
 
-    pub fn axis(&self, axis: SignedAxis) -> SignedAxis {
+    pub(super) fn axis(&self, axis: SignedAxis) -> SignedAxis {
         let seen = self.axes[usize::from(axis.axis)];
         if axis.negative { -seen } else { seen }
     }

@@ -4,7 +4,9 @@
 /// From the least to the most, both included.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Range {
+    /// The least value inside.
     pub least: f64,
+    /// The greatest value inside.
     pub most: f64,
 }
 
@@ -13,16 +15,18 @@ pub struct Range {
 pub struct Limit {
     /// What is limited.
     pub figure: &'static str,
+    /// Where the promised accuracy holds.
     pub range: Range,
     /// The case that promises its bound over the whole range.
     pub case: &'static str,
 }
 
 impl Range {
-    pub const fn new(least: f64, most: f64) -> Self {
+    pub(crate) const fn new(least: f64, most: f64) -> Self {
         Self { least, most }
     }
 
+    /// True if the number lies inside; false if it is not a number.
     pub fn holds(self, number: f64) -> bool {
         (self.least..=self.most).contains(&number)
     }

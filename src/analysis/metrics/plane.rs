@@ -31,10 +31,12 @@ impl Plane {
         Self::of_raster(&displayed(raster), luminance)
     }
 
+    /// Columns of pixels.
     pub fn width(&self) -> usize {
         self.width
     }
 
+    /// Rows of pixels.
     pub fn height(&self) -> usize {
         self.height
     }

@@ -17,13 +17,13 @@ pub fn root_mean_square_error(picture: &Raster, reference: &Raster) -> f64 {
 /// The share of the pixels that count as the tail: the worst 0.1 %.
 pub const TAIL: f64 = 0.001;
 
-/// Keeps black pixels of the reference from ruling (Rousselle et al., Adaptive Sampling and Reconstruction using
+/// Keeps black pixels of the reference from dominating (Rousselle et al., Adaptive Sampling and Reconstruction using
 /// Greedy Error Minimization, 2011, section 6).
 const EPSILON: f64 = 0.01;
 
 /// The squared error of a pixel relative to its reference, `(a - b)^2 / (b^2 + 0.01)`, averaged over the channels.
 ///
-/// A few fireflies rule the mean. So there are the mean without the worst 0.1 % of the pixels, and that of the worst
+/// A few fireflies dominate the mean: the struct also has the mean without the worst 0.1 % of the pixels, and that of the worst
 /// 0.1 % alone.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RelativeError {

@@ -11,6 +11,7 @@ use crate::limits::Range;
 /// What is to be swept.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct Subject {
+    /// The group under which the report lists it.
     pub group: Group,
     /// One word, for `--case`.
     pub name: &'static str,
@@ -25,19 +26,25 @@ pub struct Subject {
     /// Where the bound must be kept. The sweep goes on beyond, to show where it ends.
     pub promised: Range,
     #[serde(skip)]
-    pub sweep: fn(Effort) -> Vec<Measurement>,
+    pub(super) sweep: fn(Effort) -> Vec<Measurement>,
 }
 
 /// What a case is about.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum Group {
+    /// A direction becomes a texel.
     Lookup,
+    /// A ray meets a shape.
     Shapes,
+    /// A ray that leaves a surface does not meet it again.
     SelfIntersection,
+    /// Reflection and refraction.
     Optics,
+    /// Scattering functions, and light sources with an extent.
     #[value(name = "lobes and light")]
     Lobes,
+    /// Sums of many samples.
     Sums,
 }
 
@@ -56,6 +63,7 @@ pub struct Measurement {
 /// A subject that was swept.
 #[derive(Debug, Clone)]
 pub struct Case {
+    /// What was swept.
     pub subject: Subject,
     /// In the order of the magnitudes, upwards; never empty.
     pub measurements: Vec<Measurement>,
@@ -81,7 +89,7 @@ impl Group {
 }
 
 impl Measurement {
-    pub fn new(magnitude: f64, error: f64, input: impl Into<String>) -> Self {
+    pub(super) fn new(magnitude: f64, error: f64, input: impl Into<String>) -> Self {
         Self { magnitude, error, input: input.into() }
     }
 }
@@ -117,6 +125,7 @@ impl Case {
         worst.unwrap_or(&self.measurements[0])
     }
 
+    /// Whether the bound is kept over the promised range.
     pub fn verdict(&self) -> Verdict {
         let beyond = |measurement: &&Measurement| !self.is_within(measurement);
         if self.measurements.iter().filter(beyond).any(|measurement| self.is_promised(measurement)) {

@@ -81,7 +81,7 @@ fn texel_solid_angle(column: usize, row: usize) -> f64 {
 /// Samples along each side of the unit square.
 const STRATA: usize = 96;
 
-/// Stratified places of the unit square, as many whatever the effort: the figures are means.
+/// Stratified places of the unit square, the same number at any effort: the figures are means.
 fn strata() -> impl Iterator<Item = [f64; 2]> {
     let middle = |stratum: usize| (stratum as f64 + 0.5) / STRATA as f64;
     (0..STRATA * STRATA).map(move |index| [index % STRATA, index / STRATA].map(middle))

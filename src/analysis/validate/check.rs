@@ -98,7 +98,7 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
 
 /// Broken if the fix changes anything, a face does not belong, seams gape or no graphics library takes these sizes; else
 /// the map fits if the pixels of at least half of the faces tell most orientations from the one found, what is found looks
-/// like a map at all, and no face gapes.
+/// like a map at all, and no face gapes. Where the pixels tell less, a face that stands out is a fault all the same.
 fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Check, given: &Arrangement) -> Verdict {
     let found = &solution.arrangement;
     let torn = solution.unsettled == Some(Unsettled::Torn);
@@ -106,11 +106,16 @@ fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Ch
         return Verdict::Broken;
     }
     let related = problem.mean_fit(found) < UNRELATED;
+    let stands_out = |&face: &Face| outlier::stands_out(problem, borders, found, face);
     let gapes = |&face: &Face| outlier::gapes(problem, borders, found, face);
     let undecidable = check.seams.iter().filter(|seam| seam.verdict == Verdict::Undecidable).count();
     let tells = related
         && solution.telling_faces() >= TELLING_FACES
         && undecidable < UNDECIDABLE_SEAMS
         && !Face::ALL.iter().any(gapes);
-    if tells && solution.unsettled.is_none() { Verdict::Fits } else { Verdict::Undecidable }
+    match tells && solution.unsettled.is_none() {
+        true => Verdict::Fits,
+        false if Face::ALL.iter().any(stands_out) => Verdict::Broken,
+        false => Verdict::Undecidable,
+    }
 }

@@ -16,10 +16,15 @@ use crate::picture::Format;
 pub struct ImageFacts {
     /// The name of the image.
     pub face: Face,
+    /// The name of its file.
     pub file: String,
+    /// Columns of texels.
     pub width: usize,
+    /// Rows of texels.
     pub height: usize,
+    /// The format of the file.
     pub format: Format,
+    /// True if the file has an alpha channel, which is ignored.
     #[serde(skip)]
     pub alpha: bool,
 }
@@ -46,23 +51,30 @@ impl ImageFacts {
 /// The report on one map.
 #[derive(Debug, Clone)]
 pub struct Check {
+    /// In the order of [`Face::ALL`].
     pub images: Vec<ImageFacts>,
+    /// The table that was checked.
     pub lookup: Lookup,
+    /// The name of the table: a preset or a file.
     pub lookup_name: String,
+    /// The worst of what was found.
     pub verdict: Verdict,
     /// The twelve seams as they are.
     pub seams: Vec<Seam>,
+    /// The repair; it changes nothing if the map is right.
     pub fix: Fix,
     /// Faces whose image belongs to no place in this map.
     pub outliers: Vec<Outlier>,
     /// The faces that the given lookup shows mirrored in a right-handed world.
     pub mirrored: Vec<Face>,
+    /// What the report says beside the verdict.
     pub notes: Vec<Note>,
 }
 
 /// What to change.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fix {
+    /// In the order of [`Face::ALL`].
     pub faces: [FaceFix; 6],
     /// Faces that change.
     pub changes: usize,
@@ -72,6 +84,7 @@ pub struct Fix {
     pub also: Vec<Story>,
     /// The standard errors by which the next essentially different orientation is worse; 0 if none is.
     pub margin: f64,
+    /// The twelve seams after the fix.
     pub seams_after: Vec<Seam>,
     /// Fixes that are equally good, this one among them.
     pub equivalents: usize,
@@ -80,8 +93,9 @@ pub struct Fix {
 /// What to change at one face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct FaceFix {
+    /// The face that reads the image.
     pub face: Face,
-    /// The image that the face shall read.
+    /// The image that the face should read.
     pub image: Face,
     /// (u', v') as functions of the (u, v) that the given lookup computes.
     pub orientation: Orientation,

@@ -31,7 +31,7 @@ mod story;
 mod thresholds;
 mod verdict;
 
-pub use borders::edge::{Edge, Side};
+pub use borders::edge::Edge;
 pub use check::{check, load};
 pub use findings::{Check, FaceFix, Fix, ImageFacts};
 pub use note::Note;

@@ -8,71 +8,107 @@ use crate::envmap::{Face, SignedAxis};
 /// A remark in the report. [`Note::Outlier`], [`Note::NotSquare`] and [`Note::Sizes`] say why a map is broken.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Note {
+    /// A picture that does not belong to this map.
     Outlier {
+        /// The face that shows it after the fix.
         face: Face,
+        /// The name of its file.
         file: String,
+        /// Why it does not belong.
         reason: Reason,
     },
     /// A 1-pixel frame, left out of the measure.
     Framed {
+        /// The image with the frame.
         image: Face,
     },
-    /// The smallest and largest side in texels.
+    /// Square images of different sizes.
     Sizes {
+        /// The smallest side in texels.
         smallest: usize,
+        /// The largest side in texels.
         largest: usize,
     },
+    /// Images whose width and height differ.
     NotSquare {
+        /// In the order of [`Face::ALL`].
         images: Vec<Face>,
     },
+    /// An alpha channel, which is ignored.
     Alpha {
+        /// In the order of [`Face::ALL`].
         images: Vec<Face>,
     },
-    /// Faces that differ in brightness from their neighbours by about this many of 255 codes.
+    /// An image that is brighter or darker than all its neighbours.
     Exposure {
+        /// The image.
         image: Face,
+        /// By how many of 255 codes, on average; negative if darker.
         codes: f64,
     },
+    /// Two images with the same texels along all borders.
     Identical {
+        /// In the order of [`Face::ALL`].
         images: [Face; 2],
     },
     /// One flat colour along all borders, about that in which its neighbours end: nobody can say how it lies.
     Flat {
+        /// The flat image.
         image: Face,
     },
+    /// The pixels do not determine every orientation.
     Undecided {
+        /// The faces that may have another orientation.
         faces: Vec<Face>,
     },
     /// Rough seams of a geometry that fits, as it is or after the fix.
     Rough {
+        /// How many of the twelve.
         seams: usize,
+        /// Mean step across them, of 255 codes.
         step: f64,
+        /// True if they are rough after the fix, false if nothing changes.
         after_the_fix: bool,
     },
     /// Seams of a broken map that no certain change closes.
     Open {
+        /// How many of the twelve.
         seams: usize,
+        /// Mean step across them, of 255 codes.
         step: f64,
+        /// True if a fix leaves them open, false if nothing changes.
         after_the_fix: bool,
     },
     /// The names do not say which face an image is.
     Unnamed {
+        /// True if they are numbers.
         numbered: bool,
     },
+    /// Faces that a right-handed world sees mirrored.
     Mirrored {
+        /// Under the given lookup.
         faces: Vec<Face>,
+        /// After the fix.
         after: Vec<Face>,
+        /// True if the fix changes a face.
         changes: bool,
     },
     /// The axis that the fix puts above was taken from the lookup.
     AssumedUp {
+        /// The usual up axis of the lookup.
         up: SignedAxis,
+        /// The name of the lookup.
         lookup: String,
     },
+    /// Which image seems to be the sky, by its brightness and detail.
     Sky {
+        /// The image.
         sky: Face,
+        /// The up axis that the user named.
         up: SignedAxis,
+        /// True if the face at `up` reads the image, after the fix if there is one.
         there: bool,
+        /// True if the fix changes a face.
         after_the_fix: bool,
     },
 }

@@ -19,6 +19,7 @@ pub enum Names {
 pub struct CheckOptions {
     /// The axis that points up in the user's world, if named.
     pub world_up: Option<SignedAxis>,
+    /// Whether the names of the files tell which face an image is.
     pub names: Names,
     /// What the report calls the lookup.
     pub lookup_name: String,

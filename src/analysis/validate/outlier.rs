@@ -5,16 +5,20 @@ use super::borders::edge::Edge;
 use super::seam::measure;
 use super::search::arrangement::{Arrangement, Problem};
 use super::thresholds::outlier::{
-    ANOTHER_PATTERN, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_STEP, VISIBLE,
+    ANOTHER_PATTERN, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_GLARING, OUTLIER_STEP, STEP_RATIO,
+    VISIBLE,
 };
 use super::thresholds::seam::UNDECIDED;
+use super::thresholds::verdict::TORN_STEP;
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
 
 /// A face whose image does not belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Outlier {
+    /// The face that shows the image.
     pub face: Face,
+    /// Why the image does not belong.
     pub reason: Reason,
 }
 
@@ -45,11 +49,11 @@ pub struct Judged {
 /// Judges a face as the thresholds do.
 #[cfg(test)]
 pub fn judge(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> Judged {
-    let (laid, fit) = best_laid(problem, arrangement, face);
+    let (placed, fit) = best_orientation(problem, arrangement, face);
     Judged {
         fit,
-        step: mean_step(problem, images, &laid, face),
-        pattern: pattern_cost(problem, &laid, face),
+        step: mean_step(problem, images, &placed, face, true),
+        pattern: pattern_cost(problem, &placed, face),
         agreement: agreement(problem, arrangement, face),
     }
 }
@@ -65,19 +69,23 @@ pub fn find(
     if let Some(copied) = copied(map, problem, images, arrangement)? {
         return Ok(Some(copied));
     }
-    let judged = Face::ALL.map(|face| best_laid(problem, arrangement, face));
-    let worst = |a: &usize, b: &usize| judged[*a].1.total_cmp(&judged[*b].1);
+    let judged = Face::ALL.map(|face| {
+        let (placed, fit) = best_orientation(problem, arrangement, face);
+        (stands_out(problem, images, &placed, face), fit, placed)
+    });
+    let worst = |a: &usize, b: &usize| judged[*a].0.cmp(&judged[*b].0).then(judged[*a].1.total_cmp(&judged[*b].1));
     let Some(worst) = (0..6).max_by(worst) else { return Ok(None) };
-    let (face, (laid, fit)) = (Face::ALL[worst], &judged[worst]);
-    if mean_fit(problem, laid, face, false) > FAMILIAR || mean_score(problem, images, laid, face) < VISIBLE {
+    let (face, (stands_out, fit, placed)) = (Face::ALL[worst], &judged[worst]);
+    let others_fit = mean_fit(problem, placed, face, false) <= FAMILIAR;
+    if !stands_out && (!others_fit || mean_score(problem, images, placed, face) < VISIBLE) {
         return Ok(None);
     }
-    let image = laid.images[worst];
+    let image = placed.images[worst];
     let copy = copy_of(map, images, image)?;
     let (reason, threshold, fit) = match copy {
         // A mirrored copy of its original closes the seam between the two, which is no evidence.
         Some(other) => {
-            let original = laid.face_of(other);
+            let original = placed.face_of(other);
             (Reason::CopyOf(other), OUTLIER_COPY, fit_without(problem, arrangement, face, original))
         }
         None if images[image.index()].is_flat() => (Reason::Flat, OUTLIER_FLAT, *fit),
@@ -85,14 +93,15 @@ pub fn find(
     };
     let unlike = match reason {
         Reason::AnotherScene => {
-            pattern_cost(problem, laid, face) >= ANOTHER_PATTERN
+            pattern_cost(problem, placed, face) >= ANOTHER_PATTERN
                 && agreement(problem, arrangement, face) < KINDRED
-                && mean_step(problem, images, laid, face) >= OUTLIER_STEP
+                && mean_step(problem, images, placed, face, true) >= OUTLIER_STEP
         }
-        Reason::Flat => mean_step(problem, images, laid, face) >= OUTLIER_STEP,
+        Reason::Flat => mean_step(problem, images, placed, face, true) >= OUTLIER_STEP,
         Reason::CopyOf(_) => true,
     };
-    Ok((fit >= threshold && unlike).then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
+    Ok(((*stands_out || fit >= threshold) && unlike)
+        .then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
 }
 
 /// True if the best arrangement takes the image of a face elsewhere, and it fits there: two files were exchanged.
@@ -120,6 +129,29 @@ pub fn gapes(problem: &Problem, images: &Borders, arrangement: &Arrangement, fac
         && agreement(problem, arrangement, face) < KINDRED
 }
 
+/// True if at least three of a face's seams show a step that nobody overlooks, and its borders agree with those around it in no
+/// orientation.
+fn glares(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
+    let glaring = |&edge: &usize| Edge::ALL[edge].touches(face) && is_glaring(problem, images, arrangement, edge);
+    (0..12).filter(glaring).count() >= 3 && agreement(problem, arrangement, face) < KINDRED
+}
+
+/// True if a face of one colour, or one whose borders fit others as well, glares, and its seams step much further than those
+/// between the others. Where only some images are seen to have a frame, its colour may be what glares.
+pub fn stands_out(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
+    let is_flat = images[arrangement.images[face.index()].index()].is_flat();
+    let step = |touching: bool| mean_step(problem, images, arrangement, face, touching);
+    (is_flat || mean_fit(problem, arrangement, face, true) >= OUTLIER_GLARING)
+        && glares(problem, images, arrangement, face)
+        && step(true) >= STEP_RATIO * step(false)
+        && images.iter().all(|image| image.framed == images[0].framed)
+}
+
+fn is_glaring(problem: &Problem, images: &Borders, arrangement: &Arrangement, edge: usize) -> bool {
+    let seam = measure(problem, images, arrangement, edge);
+    seam.step >= TORN_STEP && seam.score >= VISIBLE
+}
+
 /// The images that must not tell how the others lie where `outlier` does not belong: itself, and all others that are
 /// outliers or copies as well.
 pub fn outliers(
@@ -138,7 +170,8 @@ pub fn outliers(
                 fit_without(problem, arrangement, face, original) >= OUTLIER_COPY
             }
             None => {
-                best_laid(problem, arrangement, face).1 >= OUTLIER && agreement(problem, arrangement, face) < KINDRED
+                best_orientation(problem, arrangement, face).1 >= OUTLIER
+                    && agreement(problem, arrangement, face) < KINDRED
             }
         };
         if strange {
@@ -162,10 +195,10 @@ fn copied(
         let Some(original) = arrangement.face_of(other) else {
             continue;
         };
-        let (laid, _) = best_laid(problem, arrangement, face);
-        let away = |of: Face, from: Face| score_away_from(problem, images, &laid, of, from);
+        let (placed, _) = best_orientation(problem, arrangement, face);
+        let away = |of: Face, from: Face| score_away_from(problem, images, &placed, of, from);
         let (gaping, closing) = (away(face, original), away(original, face));
-        let others_fit = mean_fit(problem, &laid, face, false) <= FAMILIAR;
+        let others_fit = mean_fit(problem, &placed, face, false) <= FAMILIAR;
         let gapes = others_fit && gaping >= VISIBLE && closing <= 0.5 * gaping;
         if gapes && worst.is_none_or(|(score, _)| gaping > score) {
             worst = Some((gaping, Outlier { face, reason: Reason::CopyOf(other) }));
@@ -194,12 +227,12 @@ fn pattern_cost(problem: &Problem, arrangement: &Arrangement, face: Face) -> f64
 /// How far the brightness along the borders of a face agrees with that along its neighbours', in the orientation that agrees most:
 /// see [`super::borders::agreement`].
 fn agreement(problem: &Problem, arrangement: &Arrangement, face: Face) -> f64 {
-    let along = |laid: &Arrangement, edge: usize| {
-        let (images, borders) = problem.ends(laid, edge);
+    let along = |placed: &Arrangement, edge: usize| {
+        let (images, borders) = problem.ends(placed, edge);
         f64::from(problem.costs.correlation(images, borders).evidence())
     };
     let touching = || (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    let all = |laid: Arrangement| touching().map(|edge| along(&laid, edge)).sum::<f64>();
+    let all = |placed: Arrangement| touching().map(|edge| along(&placed, edge)).sum::<f64>();
     (0..8).map(|orientation| all(arrangement.with_orientation(face, orientation))).fold(f64::NEG_INFINITY, f64::max)
 }
 
@@ -210,14 +243,15 @@ fn fit_without(problem: &Problem, arrangement: &Arrangement, face: Face, other: 
         edge.touches(face) && !other.is_some_and(|other| edge.touches(other))
     };
     let edges: Vec<usize> = (0..12).filter(counts).collect();
-    let fit = |laid: &Arrangement| edges.iter().map(|&edge| problem.fit(laid, edge)).sum::<f64>() / edges.len() as f64;
+    let fit =
+        |placed: &Arrangement| edges.iter().map(|&edge| problem.fit(placed, edge)).sum::<f64>() / edges.len() as f64;
     (0..8).map(|orientation| fit(&arrangement.with_orientation(face, orientation))).fold(f64::INFINITY, f64::min)
 }
 
 /// The arrangement with the cheapest orientation of one face, and the mean fit of that face's seams.
-fn best_laid(problem: &Problem, arrangement: &Arrangement, face: Face) -> (Arrangement, f64) {
+fn best_orientation(problem: &Problem, arrangement: &Arrangement, face: Face) -> (Arrangement, f64) {
     let orientations = (0..8).map(|orientation| arrangement.with_orientation(face, orientation));
-    let fits = orientations.map(|laid| (laid, mean_fit(problem, &laid, face, true)));
+    let fits = orientations.map(|placed| (placed, mean_fit(problem, &placed, face, true)));
     fits.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are eight orientations")
 }
 
@@ -233,9 +267,11 @@ fn mean_score(problem: &Problem, images: &Borders, arrangement: &Arrangement, fa
     touching.map(|edge| measure(problem, images, arrangement, edge).score).sum::<f64>() / 4.0
 }
 
-fn mean_step(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> f64 {
-    let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    touching.map(|edge| measure(problem, images, arrangement, edge).step).sum::<f64>() / 4.0
+/// The mean step of the seams that touch the face, or of those that do not.
+fn mean_step(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face, touching: bool) -> f64 {
+    let chosen = |&edge: &usize| Edge::ALL[edge].touches(face) == touching;
+    let steps: Vec<f64> = (0..12).filter(chosen).map(|edge| measure(problem, images, arrangement, edge).step).collect();
+    steps.iter().sum::<f64>() / steps.len() as f64
 }
 
 /// Another image with the same texels.

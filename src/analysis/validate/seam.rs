@@ -10,6 +10,7 @@ use crate::digits::digits;
 /// One edge under one lookup.
 #[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Seam {
+    /// The two faces that meet there.
     pub edge: Edge,
     /// Mean absolute difference across the seam, of 255 display units, over texels and channels.
     #[serde(serialize_with = "digits::<2, _>")]
@@ -21,6 +22,7 @@ pub struct Seam {
     /// each other.
     #[serde(serialize_with = "digits::<2, _>")]
     pub score: f64,
+    /// What the step means.
     pub verdict: Verdict,
 }
 

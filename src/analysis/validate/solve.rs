@@ -120,8 +120,12 @@ impl Search<'_> {
         let face = told.0.face_of(image).unwrap_or(outlier.face);
         let outlier = Outlier { face, ..outlier };
         let solution = Solution { outlier: Some(outlier), ..self.solution(told, &outliers, 1)? };
-        // Equal texels are not chance, whatever the other faces tell.
-        let certain = matches!(outlier.reason, Reason::CopyOf(_)) || self.tells(&solution);
+        // Equal texels are not chance, and nobody overlooks a face that stands out, whatever the other faces tell.
+        let found = solution.arrangement;
+        let stands_out = outlier::stands_out(self.problem, self.images, &found, face);
+        let certain = matches!(outlier.reason, Reason::CopyOf(_))
+            || self.tells(&solution)
+            || (stands_out && (found == self.given() || self.is_torn(&self.given(), &found)));
         Ok(certain.then_some(solution))
     }
 
@@ -129,9 +133,9 @@ impl Search<'_> {
     fn tells(&self, solution: &Solution) -> bool {
         let given = self.given();
         let edited = solution.story.edited.iter().map(|face| face.index());
-        let relaid = edited.filter(|&face| solution.arrangement.images[face] == given.images[face]);
+        let turned = edited.filter(|&face| solution.arrangement.images[face] == given.images[face]);
         solution.telling_faces() >= TELLING_FACES
-            && relaid.into_iter().all(|face| solution.excluded[face] >= EDITED_ORIENTATIONS)
+            && turned.into_iter().all(|face| solution.excluded[face] >= EDITED_ORIENTATIONS)
     }
 
     /// True if the seams that differ gape in one arrangement and hardly in the other.
@@ -295,7 +299,7 @@ impl Search<'_> {
         let mut excluded = [0; 6];
         let mut margin = f64::INFINITY;
         for face in Face::ALL.into_iter().filter(|face| !outliers.contains(&found.images[face.index()])) {
-            let others = if outliers.is_empty() { self.others(found, face) } else { relaid(found, face) };
+            let others = if outliers.is_empty() { self.others(found, face) } else { other_orientations(found, face) };
             for other in others {
                 let comparison = self.problem.compare_without(found, &other, outliers);
                 if comparison.is_decisive() {
@@ -356,7 +360,7 @@ impl Solution {
 }
 
 /// The seven arrangements that differ in the orientation of one face.
-fn relaid(found: &Arrangement, face: Face) -> Vec<Arrangement> {
+fn other_orientations(found: &Arrangement, face: Face) -> Vec<Arrangement> {
     let others = (0..8).filter(|&orientation| orientation != found.orientations[face.index()]);
     others.map(|orientation| found.with_orientation(face, orientation)).collect()
 }

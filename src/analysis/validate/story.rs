@@ -24,12 +24,13 @@ const DIAGONAL: u32 = 50;
 /// An order, and the faults on top of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Story {
+    /// The naming order that the files follow; `None` for the order of the lookup.
     pub order: Option<Convention>,
     /// Files in each other's place, by the names they have: two, or a ring in which each takes the picture of the next.
     pub exchanged: Vec<Vec<Face>>,
     /// Faces whose file is turned or flipped.
     pub edited: Vec<Face>,
-    pub cost: u32,
+    pub(crate) cost: u32,
 }
 
 /// The faults that an order leaves at most: with more of them it explains nothing.

@@ -13,6 +13,7 @@ pub enum Verdict {
 }
 
 impl Verdict {
+    /// The word in reports and JSON.
     pub fn name(self) -> &'static str {
         match self {
             Self::Fits => "fits",

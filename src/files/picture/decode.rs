@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::guard::guarded;
-use super::{Decoded, Format, Header, PixelLoops, foreign, netpbm, openexr, still};
+use super::{Decoded, Format, Header, PixelLoops, netpbm, openexr, still, unsupported};
 use crate::error::Result;
 use crate::notes::note;
 use crate::plain_file::read_plain_file;
@@ -49,5 +49,5 @@ pub fn read_file_header(path: &Path, loops: &dyn PixelLoops) -> Result<Header> {
 }
 
 fn format_of(encoded: &[u8], name: &Path) -> Result<Format> {
-    Format::of_content(encoded, name).ok_or_else(|| foreign::not_a_picture(encoded).in_file(name))
+    Format::of_content(encoded, name).ok_or_else(|| unsupported::not_a_picture(encoded).in_file(name))
 }

@@ -5,7 +5,9 @@ use super::{ColourSpace, Header};
 /// A decoded picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Decoded {
+    /// Size, format and bits, as [`read_header`](super::read_header) gives them.
     pub header: Header,
+    /// `width * height` pixels in rows, from the top left.
     pub samples: Samples,
     /// How the samples become light, if not in the usual way: bytes and words by the sRGB curve, floats as they are.
     pub space: Option<ColourSpace>,

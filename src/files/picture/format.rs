@@ -9,17 +9,27 @@ use crate::choice::name_of;
 #[serde(rename_all = "lowercase")]
 #[value(rename_all = "UPPER")]
 pub enum Format {
+    /// JPEG: 8 bits, sRGB unless its ICC profile says otherwise.
     Jpeg,
+    /// PNG: up to 16 bits.
     Png,
+    /// Truevision TGA: 8 bits.
     Tga,
+    /// Windows bitmap: 8 bits.
     Bmp,
+    /// WebP: 8 bits, lossy or lossless.
     #[value(name = "WebP")]
     WebP,
+    /// TIFF: integers or floats.
     Tiff,
+    /// Radiance RGBE: linear light.
     Hdr,
+    /// OpenEXR: linear light in halves or floats.
     #[value(name = "OpenEXR")]
     Exr,
+    /// Netpbm with integers: grey or RGB, 8 or 16 bits.
     Ppm,
+    /// Portable float map: linear light in floats.
     Pfm,
 }
 

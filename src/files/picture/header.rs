@@ -11,8 +11,11 @@ pub(super) const MEMORY_LIMIT: u64 = 2 << 30;
 /// Size and kind of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 pub struct Header {
+    /// Columns of pixels.
     pub width: usize,
+    /// Rows of pixels.
     pub height: usize,
+    /// The format that the first bytes of the file name; its extension does not count.
     pub format: Format,
     /// Bits per channel in the file (1 to 32).
     pub bit_depth: u8,

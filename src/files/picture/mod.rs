@@ -6,7 +6,6 @@ mod colour_space;
 mod decode;
 mod decoded;
 mod encoders;
-mod foreign;
 mod format;
 mod guard;
 mod header;
@@ -21,6 +20,7 @@ mod radiance_header;
 mod remark;
 mod still;
 mod tiff_tags;
+mod unsupported;
 
 pub use colour_space::ColourSpace;
 pub use decode::{decode, read, read_file_header, read_header};

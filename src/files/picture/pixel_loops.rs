@@ -24,6 +24,7 @@ pub struct Stretch<'a> {
     pub start: usize,
     /// Which components of the colour the channel is: one of them, or all three for grey.
     pub components: [bool; 3],
+    /// How the file stores them.
     pub kind: SampleKind,
     /// In the order of this machine; as many as there are samples.
     pub bytes: &'a [u8],
@@ -32,8 +33,11 @@ pub struct Stretch<'a> {
 /// How a sample is stored.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum SampleKind {
+    /// IEEE 754 half precision, 16 bits.
     Half,
+    /// IEEE 754 single precision, 32 bits.
     Float,
+    /// Unsigned integer of 32 bits.
     Unsigned,
 }
 

@@ -11,8 +11,10 @@ use crate::error::{Error, Result};
 /// Bits per channel of a PNG file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum PngDepth {
+    /// 8 bits.
     #[default]
     Eight,
+    /// 16 bits.
     Sixteen,
 }
 
@@ -52,7 +54,7 @@ pub fn encode_png(width: usize, height: usize, samples: PngSamples<'_>) -> Resul
     Ok(encoded)
 }
 
-/// Writes a PNG file of the samples, lossless, whatever the extension of `path`.
+/// Writes a PNG file of the samples, lossless; the extension of `path` does not matter.
 pub fn write_png(path: &Path, width: usize, height: usize, samples: PngSamples<'_>) -> Result<()> {
     let encoded = encode_png(width, height, samples).map_err(|error| error.in_file(path))?;
     write_atomically(path, &encoded)

@@ -111,7 +111,7 @@ fn header_of(decoder: &dyn ImageDecoder, encoded: &[u8], format: Format, orienta
 }
 
 /// Bits per channel. The codecs widen small depths, so PNG and BMP are asked for theirs here; the colours of a palette
-/// have 8 bits, whatever the width of its indices.
+/// have 8 bits even if its indices have fewer.
 fn bit_depth(encoded: &[u8], format: Format, colour: ExtendedColorType) -> u8 {
     const PNG_PALETTE: u8 = 3;
     match format {

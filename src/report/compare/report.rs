@@ -70,8 +70,11 @@ impl Metric {
 
 /// A comparison, to be printed.
 pub struct CompareReport<'a> {
+    /// What was compared, and what was found.
     pub comparison: &'a Comparison,
+    /// The metric that decides the verdict.
     pub metric: Metric,
+    /// The largest error that passes (PSNR: the smallest), in units of the metric.
     pub threshold: f64,
 }
 

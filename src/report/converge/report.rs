@@ -10,6 +10,7 @@ use crate::converge::{Bias, Convergence, Curve, ReferenceFacts, Step};
 /// The report of `skycube converge`.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ConvergeReport {
+    /// In the order of the command line.
     pub scenes: Vec<ConvergedScene>,
     /// True if Ctrl-C ended it before all was measured.
     pub stopped: bool,
@@ -24,6 +25,7 @@ pub struct ConvergedScene {
     pub size: [usize; 2],
     /// Renderings of every variant.
     pub seeds: u32,
+    /// References and curves of the scene.
     pub convergence: Convergence,
 }
 

@@ -12,8 +12,11 @@ static FONT: LazyLock<Face<'static>> =
 /// Which point of the line of text lies at the given position, horizontally. Vertically it is the baseline.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
+    /// The left end.
     Start,
+    /// The middle.
     Middle,
+    /// The right end.
     End,
 }
 

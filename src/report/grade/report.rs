@@ -14,13 +14,17 @@ use crate::render::AxisShot;
 /// A grade and the names of what was graded.
 #[derive(Debug, Clone)]
 pub struct GradeReport<'a> {
+    /// What was found.
     pub grade: &'a Grade,
+    /// The map, as the user calls it.
     pub map: &'a str,
+    /// The lookup that the code should have: a preset or a file.
     pub lookup: &'a str,
     /// False if the lookup was not named by the user.
     pub lookup_given: bool,
     /// The table of that lookup.
     pub table: Lookup,
+    /// The axis that points up in the student's world.
     pub world_up: SignedAxis,
 }
 

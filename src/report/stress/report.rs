@@ -22,7 +22,9 @@ use crate::stress::{Case, Effort, Group, Verdict};
 
 /// Cases that were swept, to be printed.
 pub struct StressReport<'a> {
+    /// By subject, in the order of the table.
     pub cases: &'a [Case],
+    /// How many inputs each step had.
     pub effort: Effort,
     /// Every step of the sweeps, too.
     pub steps: bool,

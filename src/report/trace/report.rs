@@ -15,7 +15,7 @@ use crate::scene::{OutputSettings, Plan, Scene, Wing};
 const LISTED: usize = 16;
 
 /// A trace and the scene it is of.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct TraceReport<'a> {
     pub trace: &'a PixelTrace,
     pub scene: &'a Scene,

@@ -94,7 +94,7 @@ impl TextbookHierarchy {
         }
     }
 
-    /// Whether anything is hit before `limit`: any hit will do. `test` tells it of one shape.
+    /// True if the ray hits any shape before `limit`; `test` answers for one shape.
     pub fn occluded(&self, origin: DVec3, direction: DVec3, limit: f64, mut test: impl FnMut(u32) -> bool) -> bool {
         self.occluded_node(0, &SlabRay::new(origin, direction, self.bounds()), limit, &mut test)
     }
@@ -163,7 +163,7 @@ struct SlabRay {
     origin: DVec3,
     /// 1 / d.
     inverse: DVec3,
-    /// Boxes are enlarged by this much more than rounding moves a point, so that no ray slips by.
+    /// Boxes are enlarged by this much more than rounding moves a point, so that no ray misses them.
     slack: f64,
 }
 

@@ -32,8 +32,8 @@ impl Hierarchy {
     }
 
     /// Calls `visit` for every leaf whose box the ray touches at parameters from 0 to `t_max`, roughly from near to
-    /// far; leaves that begin beyond the last [`Visit::Closer`] are passed over. `announce` is told of leaves that are
-    /// likely to be visited soon, so that they may be fetched from memory meanwhile. Nothing is allocated.
+    /// far; leaves that begin beyond the last [`Visit::Closer`] are passed over. `announce` receives leaves that are
+    /// likely to be visited soon, to prefetch them. Nothing is allocated.
     #[inline]
     pub fn traverse(
         &self,

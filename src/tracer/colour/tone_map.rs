@@ -7,7 +7,7 @@ use crate::math::Vec3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, serde::Serialize, serde::Deserialize, clap::ValueEnum)]
 #[serde(rename_all = "kebab-case")]
 pub enum ToneMap {
-    /// Cut off at 1: what is in range stays exactly as it is.
+    /// Cut off at 1: values in range stay exact.
     #[default]
     Clamp,
     /// `L / (1 + L)` on the luminance (Reinhard et al., Photographic Tone Reproduction, 2002, eq. 3).

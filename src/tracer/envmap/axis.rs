@@ -11,15 +11,22 @@ use crate::math::Vec3;
 pub struct SignedAxis {
     /// 0 for x, 1 for y, 2 for z.
     pub axis: u8,
+    /// True for -x, -y and -z.
     pub negative: bool,
 }
 
 impl SignedAxis {
+    /// +x.
     pub const POS_X: Self = Self { axis: 0, negative: false };
+    /// -x.
     pub const NEG_X: Self = Self { axis: 0, negative: true };
+    /// +y.
     pub const POS_Y: Self = Self { axis: 1, negative: false };
+    /// -y.
     pub const NEG_Y: Self = Self { axis: 1, negative: true };
+    /// +z.
     pub const POS_Z: Self = Self { axis: 2, negative: false };
+    /// -z.
     pub const NEG_Z: Self = Self { axis: 2, negative: true };
 
     /// +1 or -1.

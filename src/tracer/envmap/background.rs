@@ -9,9 +9,13 @@ use crate::picture::{Footprint, neighbours};
 /// Three colours blended by the height of the direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Gradient {
+    /// The direction of the zenith.
     pub up: SignedAxis,
+    /// Linear RGB radiance straight up.
     pub zenith: Vec3,
+    /// Linear RGB radiance at the horizon.
     pub horizon: Vec3,
+    /// Linear RGB radiance straight down.
     pub nadir: Vec3,
 }
 
@@ -37,7 +41,9 @@ impl Gradient {
 /// convention of OpenEXR's `envmap = latlong`.
 #[derive(Debug)]
 pub struct Equirectangular {
+    /// Columns are angles about the up axis; rows run from the zenith (top) to the nadir.
     pub image: LazyImage,
+    /// The direction of the zenith.
     pub up: SignedAxis,
     /// Turns the picture about the up axis, counterclockwise seen from above, in turns (1 = 360 degrees).
     pub turns: f32,

@@ -43,10 +43,12 @@ impl CubeMap {
         Self::new(images, lookup, filter)
     }
 
+    /// The table in use.
     pub fn lookup(&self) -> &Lookup {
         &self.lookup
     }
 
+    /// How colours between texels are read.
     pub fn filter(&self) -> CubeFilter {
         self.filter
     }

@@ -8,6 +8,7 @@ use crate::math::{DVec3, Vec3};
 /// The surroundings of a scene, infinitely far away: only the direction counts.
 #[derive(Debug)]
 pub struct Environment {
+    /// Where the radiance comes from.
     pub kind: EnvironmentKind,
     /// Factor on all radiance.
     pub scale: f32,
@@ -16,9 +17,13 @@ pub struct Environment {
 /// The sources of environment radiance.
 #[derive(Debug)]
 pub enum EnvironmentKind {
+    /// The same linear RGB radiance from everywhere.
     Constant(Vec3),
+    /// Three colours blended by height.
     Gradient(Gradient),
+    /// A panorama: longitude and latitude.
     Equirectangular(Equirectangular),
+    /// Six images on the faces of a cube.
     CubeMap(Box<CubeMap>),
 }
 

@@ -7,11 +7,17 @@ use crate::math::Vec3;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Face {
+    /// The face at +x.
     PosX,
+    /// The face at -x.
     NegX,
+    /// The face at +y.
     PosY,
+    /// The face at -y.
     NegY,
+    /// The face at +z.
     PosZ,
+    /// The face at -z.
     NegZ,
 }
 

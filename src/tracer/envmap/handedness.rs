@@ -1,7 +1,8 @@
 //! Handedness: whether a lookup mirrors its pictures. It follows from the table alone.
 
 use super::face::Face;
-use super::lookup::{Lookup, VOrigin};
+use super::lookup::Lookup;
+use super::v_origin::VOrigin;
 
 impl Lookup {
     /// True if the face shows its picture mirrored to an observer inside the cube of a right-handed world.

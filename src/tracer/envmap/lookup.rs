@@ -13,6 +13,7 @@
 
 use super::axis::SignedAxis;
 use super::face::Face;
+use super::v_origin::VOrigin;
 use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
 use crate::picture::Picture;
@@ -36,27 +37,25 @@ pub struct FaceLookup {
     pub v: SignedAxis,
 }
 
-/// The row of the image at v = 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize, serde::Deserialize, clap::ValueEnum)]
-#[serde(rename_all = "lowercase")]
-pub enum VOrigin {
-    Top,
-    Bottom,
-}
-
 /// A place on the cube: a face and its coordinates u and v, both in `[0, 1]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FacePoint {
+    /// The face that the direction meets.
     pub face: Face,
+    /// Along the signed axis of u.
     pub u: f32,
+    /// Along the signed axis of v.
     pub v: f32,
 }
 
 /// A place in a picture: which image, and how far from its left and top border, both in `[0, 1]`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ImagePoint {
+    /// By its name.
     pub image: Face,
+    /// From the left border: 0 to 1.
     pub right: f32,
+    /// From the top border: 0 to 1.
     pub down: f32,
 }
 
@@ -81,11 +80,9 @@ impl Lookup {
         for (face, row) in Face::ALL.into_iter().zip(&faces) {
             let axes = [face.axis(), usize::from(row.u.axis), usize::from(row.v.axis)];
             if axes[0] == axes[1] || axes[0] == axes[2] || axes[1] == axes[2] {
+                let (face, u, v) = (face.name(), row.u, row.v);
                 return Err(format!(
-                    "{}: u = {} and v = {} do not span the face: they must be the two other axes, once each",
-                    face.name(),
-                    row.u,
-                    row.v
+                    "{face}: u = {u} and v = {v} do not span the face: use both other axes, once each"
                 ));
             }
         }
@@ -98,8 +95,7 @@ impl Lookup {
         self.faces[face.index()]
     }
 
-    /// The row of a face as a table would have it whose v = 0 lies at `v_origin`: counted from the other end, v grows the
-    /// other way.
+    /// The row of a face with v counted from `v_origin`: from the other end, v grows the other way.
     pub fn row_counted_from(&self, face: Face, v_origin: VOrigin) -> FaceLookup {
         let row = self.row(face);
         if v_origin == self.v_origin { row } else { FaceLookup { v: -row.v, ..row } }
@@ -110,6 +106,7 @@ impl Lookup {
         &self.faces
     }
 
+    /// The row of every image at v = 0.
     pub fn v_origin(&self) -> VOrigin {
         self.v_origin
     }

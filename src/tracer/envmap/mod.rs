@@ -16,6 +16,7 @@ mod probe;
 mod sampling;
 mod seamless;
 pub mod source;
+mod v_origin;
 
 pub use axis::SignedAxis;
 pub use background::{Equirectangular, Gradient};
@@ -23,11 +24,12 @@ pub use cube_map::{CubeFilter, CubeMap};
 pub use environment::{Environment, EnvironmentKind};
 pub use face::Face;
 pub use lazy_image::{Decoder, LazyImage};
-pub use lookup::{FaceLookup, FacePoint, ImagePoint, Lookup, VOrigin};
+pub use lookup::{FaceLookup, FacePoint, ImagePoint, Lookup};
 pub use orientation::{ImageOperation, Orientation};
 pub use preset::Preset;
 pub use probe::{Probe, ProbedTexel, TexelPlace};
 pub use sampling::EnvironmentSampler;
+pub use v_origin::VOrigin;
 
 #[cfg(test)]
 mod tests;

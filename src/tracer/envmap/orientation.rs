@@ -5,7 +5,8 @@
 //! repair of the file applies the equivalent picture operation once.
 
 use super::axis::SignedAxis;
-use super::lookup::{FaceLookup, VOrigin};
+use super::lookup::FaceLookup;
+use super::v_origin::VOrigin;
 use crate::choice::name_of;
 use crate::picture::Picture;
 
@@ -23,16 +24,22 @@ pub struct Orientation {
 /// What a picture operation does to a file, as image programs call it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, clap::ValueEnum)]
 pub enum ImageOperation {
+    /// The file stays as it is.
     #[value(name = "none")]
     None,
+    /// Exchanges left and right.
     #[value(name = "flip left-right")]
     FlipLeftRight,
+    /// Exchanges top and bottom.
     #[value(name = "flip top-bottom")]
     FlipTopBottom,
+    /// Half a turn.
     #[value(name = "turn 180°")]
     Turn180,
+    /// A quarter turn clockwise.
     #[value(name = "turn 90° clockwise")]
     TurnClockwise,
+    /// A quarter turn counterclockwise.
     #[value(name = "turn 90° counterclockwise")]
     TurnCounterclockwise,
     /// Mirror about the diagonal from the top left to the bottom right.
@@ -200,8 +207,8 @@ mod tests {
     #[test]
     fn rows_of_a_lookup_compute_the_new_coordinates() {
         let row = FaceLookup { image: super::super::Face::PosX, u: SignedAxis::NEG_Z, v: SignedAxis::NEG_Y };
-        let laid = Orientation { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
-        assert_eq!((laid.u, laid.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
+        let placed = Orientation { swaps: true, inverts_u: true, inverts_v: false }.of_row(row);
+        assert_eq!((placed.u, placed.v), (SignedAxis::POS_Y, SignedAxis::NEG_Z));
         for orientation in Orientation::ALL {
             assert_eq!(Orientation::between(row, orientation.of_row(row)), orientation);
         }

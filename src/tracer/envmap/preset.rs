@@ -4,7 +4,8 @@ use clap::ValueEnum;
 
 use super::axis::SignedAxis;
 use super::face::Face;
-use super::lookup::{FaceLookup, Lookup, VOrigin};
+use super::lookup::{FaceLookup, Lookup};
+use super::v_origin::VOrigin;
 use crate::choice::name_of;
 
 /// A named lookup table, see `conventions.md`.

@@ -2,8 +2,9 @@
 
 use super::cube_map::{CubeFilter, CubeMap};
 use super::face::Face;
-use super::lookup::{FaceLookup, FacePoint, ImagePoint, VOrigin};
+use super::lookup::{FaceLookup, FacePoint, ImagePoint};
 use super::seamless;
+use super::v_origin::VOrigin;
 use crate::error::{Error, Result};
 use crate::math::Vec3;
 use crate::picture::{Footprint, Picture};
@@ -11,6 +12,7 @@ use crate::picture::{Footprint, Picture};
 /// What [`CubeMap::sample`] does for one direction.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Probe {
+    /// The direction that was looked up, in the world; of any length.
     pub direction: Vec3,
     /// The largest absolute value of a component.
     pub largest: f32,
@@ -20,11 +22,13 @@ pub struct Probe {
     pub point: FacePoint,
     /// The face's row of the table: image, axis of u, axis of v.
     pub row: FaceLookup,
+    /// Where v = 0 lies in the image.
     pub v_origin: VOrigin,
     /// Width and height of the image in texels.
     pub size: [usize; 2],
     /// The place in the image, in texels from its top left corner; texel centres are at half integers.
     pub position: [f32; 2],
+    /// How the texels are blended.
     pub filter: CubeFilter,
     /// The texels that count, one or four, in the order in which they are added.
     pub texels: Vec<ProbedTexel>,
@@ -38,6 +42,7 @@ pub struct ProbedTexel {
     /// The image and the column and row in it; `None` for the texel that is missing at a corner of the cube and is the
     /// mean of the other three.
     pub place: Option<TexelPlace>,
+    /// What the texel counts; the weights of all texels sum to 1.
     pub weight: f32,
     /// Linear.
     pub colour: Vec3,
@@ -46,8 +51,11 @@ pub struct ProbedTexel {
 /// A texel of an image, counted from the top left.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct TexelPlace {
+    /// The image, by its name.
     pub image: Face,
+    /// From the left, starting at 0.
     pub column: usize,
+    /// From the top, starting at 0.
     pub row: usize,
 }
 

@@ -15,7 +15,7 @@ mod textbook;
 pub use common::first_hit::FirstHit;
 pub use common::observer::{Blind, Event, LightOutcome, Observer, RayKind, Recorder};
 pub use common::task::RayCounts;
-pub use side_by_side::{RayStream, StreamTracer};
+pub(crate) use side_by_side::{RayStream, StreamTracer};
 
 use crate::error::Result;
 use crate::materials::MediumStack;
@@ -45,7 +45,7 @@ enum ReadyWing<'a> {
 }
 
 impl<'a> Integrator<'a> {
-    /// Builds the tables that the plan asks for. An error tells that a picture of the environment cannot be decoded.
+    /// Builds the tables that the plan asks for. An error if a picture of the environment cannot be decoded.
     pub fn new(scene: &'a Scene, plan: &'a Plan) -> Result<Self> {
         let lights = LightTables::new(scene, plan)?;
         let wing = match plan.wing {
@@ -56,7 +56,7 @@ impl<'a> Integrator<'a> {
         Ok(Self { scene, plan, lights, wing: wing.unwrap_or(ReadyWing::Textbook) })
     }
 
-    /// Which code renders: the plan's choice, or the textbook where a look at the light showed that a guide is of no use.
+    /// Which code renders: the plan's choice, or the textbook where the light needs no guide.
     pub fn wing(&self) -> Wing {
         match self.wing {
             ReadyWing::Textbook => Wing::Textbook,

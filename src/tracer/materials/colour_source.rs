@@ -9,15 +9,20 @@ use crate::picture::Texture;
 /// A colour over a surface: one for all, two in a checker, or a picture.
 #[derive(Debug, Clone)]
 pub enum ColourSource {
+    /// One linear RGB colour.
     Uniform(Vec3),
+    /// Two colours in squares.
     Checker(Checker),
+    /// A picture over texture coordinates.
     Image(ImageTexture),
 }
 
 /// Two colours in squares.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Checker {
+    /// Linear RGB of the square at the origin of the texture coordinates, and of every second one.
     pub even: Vec3,
+    /// Linear RGB of the squares beside them.
     pub odd: Vec3,
     /// Squares a unit of each texture coordinate.
     pub repeat: DVec2,
@@ -26,6 +31,7 @@ pub struct Checker {
 /// A picture over texture coordinates.
 #[derive(Debug, Clone)]
 pub struct ImageTexture {
+    /// The picture, its filter, and what it shows outside `[0, 1]`.
     pub texture: Arc<Texture>,
     /// Pictures a unit of each texture coordinate.
     pub repeat: DVec2,

@@ -7,10 +7,18 @@ use crate::math::Vec3;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum MetalReflectance {
     /// Fresnel's equations for the complex index of refraction `index + i extinction`.
-    Measured { index: Vec3, extinction: Vec3 },
+    Measured {
+        /// Real part by channel (R, G, B).
+        index: Vec3,
+        /// Imaginary part by channel.
+        extinction: Vec3,
+    },
     /// Schlick's approximation from the reflectance at normal incidence (An Inexpensive BRDF Model for
     /// Physically-based Rendering, 1994). A reflectance of 1 reflects everything at every angle.
-    Schlick { normal: Vec3 },
+    Schlick {
+        /// Reflectance at normal incidence by channel, in `[0, 1]`.
+        normal: Vec3,
+    },
 }
 
 /// Metals by name: complex indices at 630, 532 and 465 nm (the primaries of a display, roughly), linear between the

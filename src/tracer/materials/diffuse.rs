@@ -9,16 +9,19 @@ use crate::math::{DVec3, Vec3};
 /// Lambert's law: the same radiance in all directions.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Diffuse {
+    /// Reflectance, linear RGB in `[0, 1]`.
     pub colour: Vec3,
 }
 
 impl Diffuse {
+    /// The value `colour / pi * cos`; zero for a light below the horizon.
     #[inline]
     pub fn evaluate(&self, light: DVec3) -> Evaluation {
         let density = cosine_density(light.z);
         Evaluation { value: self.colour * density as f32, density }
     }
 
+    /// A direction with a density proportional to the cosine; `None` if the surface is black. `place` lies in `[0, 1)^2`.
     #[inline]
     pub fn sample(&self, place: [f64; 2]) -> Option<ScatteringSample> {
         let direction = cosine_direction(place);

@@ -108,7 +108,7 @@ impl DirectionalTable {
     }
 }
 
-/// Between two nodes. No share of light is negative, which rounding and foreseen nodes may be by 1e-10.
+/// Linear between two nodes; clamped to 0, below which rounding and extrapolated nodes may go by 1e-10.
 #[inline]
 fn interpolated(low: f64, high: f64, place: f64) -> f64 {
     (low + (high - low) * place).max(0.0)

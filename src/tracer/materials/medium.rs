@@ -1,4 +1,4 @@
-//! The nested glasses a ray is inside of, and what they leave of light.
+//! The nested glasses around a ray, and their transmittance.
 
 use crate::math::Side;
 use crate::math::functions::exponential_f64;
@@ -6,7 +6,9 @@ use crate::math::functions::exponential_f64;
 /// A glass: the shape that encloses it and the material it is made of, by their numbers in the scene.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Medium {
+    /// Number of the shape.
     pub shape: u32,
+    /// Number of the material.
     pub material: u32,
 }
 
@@ -42,7 +44,7 @@ impl MediumStack {
         self.depth > 1
     }
 
-    /// The glasses for which `keep` says so of their shape.
+    /// The glasses whose shape satisfies `keep`.
     pub fn retaining(&self, keep: impl Fn(u32) -> bool) -> Self {
         let entered = &self.media[..usize::from(self.depth)];
         entered.iter().copied().filter(|medium| keep(medium.shape)).collect()

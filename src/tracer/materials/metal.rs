@@ -1,6 +1,6 @@
 //! Metals, smooth or rough.
 //!
-//! Light that microfacets throw onto one another is not followed but given back by a second lobe, which has what the
+//! Light that microfacets reflect onto one another is not traced. A second lobe returns it, with the energy that the
 //! first one lacks: `(1 - E(mu_o)) (1 - E(mu_i)) / (pi (1 - E_avg))`, where E is the share that a surface without
 //! absorption reflects at once (Kulla and Conty, Revisiting Physically Based Shading at Imageworks, SIGGRAPH 2017). Its
 //! colour is that of the light after many reflections: `F_avg^2 E_avg / (1 - F_avg (1 - E_avg))` (Hill, A Multi-Faceted

@@ -42,15 +42,33 @@ pub enum Material {
     /// Shows the fractions of the texture coordinates as red and green: for debugging.
     TextureCoordinates,
     /// Ideal diffuse reflection.
-    Lambert { colour: ColourSource },
+    Lambert {
+        /// Reflectance.
+        colour: ColourSource,
+    },
     /// Diffuse reflection and a highlight (Phong, Illumination for Computer Generated Pictures, 1975).
-    Phong { diffuse: ColourSource, specular: Vec3, exponent: f32 },
+    Phong {
+        /// Reflectance of the diffuse share.
+        diffuse: ColourSource,
+        /// Reflectance of the highlight.
+        specular: Vec3,
+        /// The larger, the smaller the highlight.
+        exponent: f32,
+    },
     /// Ideal specular reflection, the same at every angle.
-    Mirror { colour: ColourSource },
+    Mirror {
+        /// Reflectance.
+        colour: ColourSource,
+    },
     /// A metal, smooth or rough.
     Metal(Arc<Metal>),
     /// A diffuse base under a dielectric coat.
-    Coated { coat: Arc<Coat>, colour: ColourSource },
+    Coated {
+        /// The dielectric layer.
+        coat: Arc<Coat>,
+        /// Reflectance of the base.
+        colour: ColourSource,
+    },
     /// A dielectric with exact Fresnel reflection and transmission.
     Glass {
         /// Index of refraction relative to vacuum.

@@ -15,8 +15,11 @@ use crate::math::{DVec3, Vec3};
 /// It reflects `diffuse + specular` at normal incidence and less elsewhere, so the sum must not exceed 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Phong {
+    /// Reflectance of the diffuse share, linear RGB.
     pub diffuse: Vec3,
+    /// Reflectance of the highlight at normal incidence, linear RGB.
     pub specular: Vec3,
+    /// The exponent n of the cosine.
     pub exponent: f32,
 }
 
@@ -27,6 +30,7 @@ impl Phong {
         if specular > 0.0 { f64::from(specular / (diffuse + specular)) } else { 0.0 }
     }
 
+    /// The scattering function times the cosine, and the density with which `sample` chooses `light`.
     #[inline]
     pub fn evaluate(&self, view: DVec3, light: DVec3) -> Evaluation {
         if light.z <= 0.0 {
@@ -40,6 +44,7 @@ impl Phong {
         Evaluation { value, density: (1.0 - share) * cosine_density(light.z) + share * lobe_density }
     }
 
+    /// A direction from the highlight or the diffuse share, chosen by `choice`; `place` and `choice` are uniform in `[0, 1)`.
     #[inline]
     pub fn sample(&self, view: DVec3, place: [f64; 2], choice: f64) -> Option<ScatteringSample> {
         let direction = if choice < self.highlight_share() {

@@ -36,9 +36,9 @@ pub struct RoughGlass {
 struct Side {
     /// Index of refraction on this side over that on the other.
     relative_index: f64,
-    /// Share of light that leaves on neither side at once.
+    /// Share of light that a single scattering event loses: it leaves on neither side.
     lost: DirectionalTable,
-    /// Share of the lost that is given back on the other side.
+    /// Share of the lost light that returns on the other side.
     transmitted: f64,
 }
 
@@ -50,7 +50,7 @@ impl RoughGlass {
         glass
     }
 
-    /// The surface before it is known what it meets.
+    /// A surface without tables; [`RoughGlass::meet`] adds them for each pair of media.
     pub fn unprepared(roughness: f64) -> Self {
         Self { microfacets: Microfacets::new(roughness), sides: Vec::new() }
     }
@@ -188,7 +188,7 @@ impl RoughBoundary<'_> {
         }
     }
 
-    /// Chooses one of the lobes that give back what is lost.
+    /// Chooses one of the lobes that return the lost light.
     fn sample_lost(&self, view: DVec3, place: [f64; 2], choice: f64) -> Option<ScatteringSample> {
         let transmitted = choice < self.near.transmitted;
         let direction =
@@ -224,7 +224,7 @@ impl RoughBoundary<'_> {
         self.with_lost(view.z, depth, lobes, self.far, self.near.transmitted)
     }
 
-    /// Adds the lobe on the light's side that gives back a share of what is lost.
+    /// Adds the lobe on the light's side that returns a share of the lost light.
     #[inline]
     fn with_lost(&self, view: f64, light: f64, at_once: Lobes, side: &Side, share: f64) -> Lobes {
         let lost = self.near.lost.at(view);

@@ -26,14 +26,21 @@ use crate::math::{DVec3, Vec3};
 /// The scattering function at one place of a surface, in the frame drawn above.
 #[derive(Debug, Clone, Copy)]
 pub enum Scattering<'a> {
+    /// Lambert's law.
     Diffuse(Diffuse),
+    /// Diffuse share and highlight.
     Phong(Phong),
+    /// Ideal reflection.
     Mirror(Mirror),
+    /// Reflection and refraction at a smooth dielectric.
     SmoothGlass(SmoothBoundary),
     /// Glass with nothing to refract at: both sides have the same index.
     Passing,
+    /// Reflection and refraction at microfacets.
     RoughGlass(RoughBoundary<'a>),
+    /// A conductor, smooth or rough.
     Metal(&'a Metal),
+    /// A diffuse base under a dielectric coat.
     Coated(Coated<'a>),
 }
 

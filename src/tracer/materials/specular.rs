@@ -7,10 +7,12 @@ use crate::math::{DVec3, Vec3};
 /// Ideal specular reflection, the same at every angle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Mirror {
+    /// Reflectance, linear RGB in `[0, 1]`.
     pub colour: Vec3,
 }
 
 impl Mirror {
+    /// The mirrored direction; `None` if the mirror is black.
     #[inline]
     pub fn sample(&self, view: DVec3) -> Option<ScatteringSample> {
         (self.colour != Vec3::ZERO).then_some(ScatteringSample::reflected_specularly(view, self.colour, 1.0))
@@ -36,6 +38,7 @@ impl SmoothBoundary {
         ])
     }
 
+    /// Reflection with the probability of the reflectance, refraction otherwise; `choice` is uniform in `[0, 1)`.
     #[inline]
     pub fn sample(&self, view: DVec3, choice: f64) -> Option<ScatteringSample> {
         let boundary = boundary(view.z, self.relative_index);

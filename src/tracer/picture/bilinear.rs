@@ -87,7 +87,7 @@ impl Picture {
     #[inline]
     pub fn interpolated(&self, footprint: &Footprint) -> Vec3 {
         let index = |column: usize, row: usize| row * self.width() + column;
-        // The kind of texels is asked for once, not for each of the four.
+        // The kind of texels is matched once, not for each of the four.
         match self.texels() {
             Texels::Srgb8(bytes) => footprint.interpolate(|column, row| {
                 let start = 3 * index(column, row);

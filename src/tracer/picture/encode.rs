@@ -13,8 +13,11 @@ use crate::parallel;
 /// What the 8- and 16-bit formats need to know. OpenEXR and HDR hold the linear radiance and ask for nothing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WriteOptions {
+    /// How radiance above 1 is brought into `[0, 1]`.
     pub tone_map: ToneMap,
+    /// The curve applied after that.
     pub encoding: Encoding,
+    /// Bits per channel of PNG files.
     pub png_depth: PngDepth,
     /// From 1 (small) to 100 (good).
     pub jpeg_quality: u8,
@@ -43,9 +46,11 @@ pub struct Extras<'a> {
 /// A raster that lies beside the picture in the same file.
 #[derive(Debug, Clone, Copy)]
 pub struct SideLayer<'a> {
+    /// Its name, which comes before the names of its channels in the file.
     pub name: &'a str,
     /// Names of the written components, for instance `["X", "Y", "Z"]`; one to three.
     pub channels: &'a [&'a str],
+    /// As large as the picture.
     pub raster: &'a Raster,
 }
 

@@ -28,10 +28,12 @@ impl Raster {
         Self { width, height, pixels }
     }
 
+    /// Columns of pixels.
     pub fn width(&self) -> usize {
         self.width
     }
 
+    /// Rows of pixels.
     pub fn height(&self) -> usize {
         self.height
     }

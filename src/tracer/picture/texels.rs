@@ -32,18 +32,22 @@ impl Picture {
         Self { header, texels }
     }
 
+    /// Size, format and bits of the file.
     pub fn header(&self) -> Header {
         self.header
     }
 
+    /// Columns of texels.
     pub fn width(&self) -> usize {
         self.header.width
     }
 
+    /// Rows of texels.
     pub fn height(&self) -> usize {
         self.header.height
     }
 
+    /// The texels in rows, from the top left.
     pub fn texels(&self) -> &Texels {
         &self.texels
     }

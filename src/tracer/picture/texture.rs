@@ -44,14 +44,17 @@ impl Texture {
         Self { picture, filter, wrap }
     }
 
+    /// The picture it reads.
     pub fn picture(&self) -> &Picture {
         &self.picture
     }
 
+    /// How texels are blended.
     pub fn filter(&self) -> Filter {
         self.filter
     }
 
+    /// What lies outside `[0, 1]`.
     pub fn wrap(&self) -> Wrap {
         self.wrap
     }

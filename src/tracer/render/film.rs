@@ -25,7 +25,7 @@ pub struct FilmRow {
     weighted: Vec<DVec3>,
     /// Sums of radiance and of filter weights; empty for filters whose samples all count the same.
     uneven: Vec<(DVec3, f64)>,
-    /// Empty unless layers were asked for.
+    /// Empty unless layers were requested.
     layers: Vec<LayerSums>,
     keeps: Keeps,
 }
@@ -35,7 +35,7 @@ pub struct FilmRow {
 pub struct Keeps {
     /// Samples count differently: their weights.
     pub weights: bool,
-    /// Layers were asked for.
+    /// Layers were requested.
     pub layers: bool,
 }
 
@@ -68,7 +68,7 @@ impl Film {
         Raster::from_pixels(width, height, pixels)
     }
 
-    /// The layers; `None` if they were not asked for.
+    /// The layers; `None` unless they were requested.
     pub fn develop_layers(&self) -> Option<Layers> {
         let [width, height] = self.size;
         let mut layers = self.rows.first()?.keeps.layers.then(|| Layers::blank(width, height))?;

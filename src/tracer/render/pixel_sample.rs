@@ -10,9 +10,11 @@ use crate::scene::Wing;
 /// One sample of a pixel.
 #[derive(Debug, Clone, Copy)]
 pub struct PixelSample {
+    /// The camera ray, in the world.
     pub ray: Ray,
     /// The place in the pixel and what the sample counts.
     pub place: FilteredPlace,
+    /// Linear RGB that came back along the ray.
     pub radiance: Vec3,
 }
 

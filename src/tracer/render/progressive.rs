@@ -16,7 +16,7 @@ pub enum Budget {
     Time(Duration),
 }
 
-/// The most samples per pixel, whatever the time.
+/// The largest number of samples per pixel, even if time is left.
 const MOST_SAMPLES: u32 = 1 << 24;
 
 /// Renders in passes until the budget is spent. Asked to stop by `progress`, gives the picture so far, marked as

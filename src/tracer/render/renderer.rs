@@ -23,7 +23,7 @@ pub struct Renderer<'a> {
 }
 
 impl<'a> Renderer<'a> {
-    /// A picture by the scene's camera. An error tells that a picture of the environment cannot be decoded.
+    /// A picture by the scene's camera. An error if a picture of the environment cannot be decoded.
     pub fn new(scene: &'a Scene, plan: &'a Plan) -> Result<Self> {
         Self::from_source(scene, plan, RaySource::Camera(&scene.camera), false)
     }
@@ -94,7 +94,7 @@ pub(super) struct SceneSampler<'a> {
     pub sampling: Sampling,
     /// True if the only sample goes through the middle of the pixel.
     centred: bool,
-    /// True if layers were asked for.
+    /// True if layers were requested.
     layers: bool,
 }
 
@@ -103,7 +103,7 @@ pub(super) struct SceneSampler<'a> {
 struct Room {
     radiances: Vec<Vec3>,
     weights: Vec<f64>,
-    /// Empty unless layers were asked for.
+    /// Empty unless layers were requested.
     first_hits: Vec<Option<FirstHit>>,
     /// Where rays are traced side by side.
     stream: Option<RayStream>,
@@ -123,8 +123,8 @@ impl SceneSampler<'_> {
         Room { stream, ..Room::default() }
     }
 
-    /// Adds samples to all pixels of a row until there are `last`. An error tells that it was cancelled, or that a picture of
-    /// the environment cannot be decoded: then a sample that was begun is left out for the whole row.
+    /// Adds samples to all pixels of a row until there are `last`. An error if it is cancelled, or if a picture of the
+    /// environment cannot be decoded: the whole row then lacks the sample that was begun.
     fn expose(&self, row: &mut FilmRow, y: usize, last: u32, room: &mut Room, progress: &dyn Progress) -> Result<()> {
         let (before, width) = (row.counts.traced(), self.source.size()[0]);
         let work = width as u64 * u64::from(last.saturating_sub(row.samples));
@@ -196,8 +196,8 @@ impl SceneSampler<'_> {
     }
 }
 
-/// Renders all samples of the scene. An error tells that a picture of the environment could not be decoded, or that the
-/// rendering was cancelled.
+/// Renders all samples of the scene. An error if a picture of the environment cannot be decoded, or if the
+/// rendering is cancelled.
 pub fn render(scene: &Scene, plan: &Plan, progress: &dyn Progress) -> Result<Rendering> {
     let mut renderer = Renderer::new(scene, plan)?;
     renderer.add_samples(scene.samples, progress)?;

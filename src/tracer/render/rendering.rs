@@ -10,12 +10,13 @@ use crate::scene::Wing;
 pub struct Rendering {
     /// Linear radiance.
     pub raster: Raster,
+    /// Rays of all samples, by kind.
     pub counts: RayCounts,
     /// Samples that every pixel has; some may have more if the rendering was stopped.
     pub samples: u32,
     /// True if it was stopped before all samples were taken.
     pub stopped: bool,
-    /// What was asked for beside the picture.
+    /// The layers requested beside the picture.
     pub layers: Option<Layers>,
     /// What was left out beyond the plan, after a look at the light itself; one sentence an item.
     pub left_out: Vec<String>,

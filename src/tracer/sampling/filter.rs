@@ -9,7 +9,7 @@
 //! ```
 //!
 //! Samples are placed with the density of the filter instead of being weighted by it (Ernst, Stamminger and Greiner, Filter
-//! Importance Sampling, 2006): every pixel has its own samples and needs no others, whatever the number of threads.
+//! Importance Sampling, 2006): every pixel has its own samples and needs no others, at any number of threads.
 
 use std::sync::LazyLock;
 
@@ -24,7 +24,7 @@ pub enum PixelFilter {
     Box,
     /// Falls linearly to 0 at the middles of the neighbours.
     Tent,
-    /// Standard deviation 1/2, cut off at 1.5, where it is let down to 0.
+    /// Standard deviation 1/2, lowered to reach 0 at 1.5, and 0 beyond.
     Gaussian,
     /// Mitchell and Netravali's cubic with B = C = 1/3: sharp, with small negative lobes (Reconstruction Filters in
     /// Computer Graphics, 1988).
@@ -34,7 +34,9 @@ pub enum PixelFilter {
 /// A place in the picture relative to the pixel's top left corner, and what a sample there counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FilteredPlace {
+    /// To the right, in pixels; 0 to 1 lies inside the pixel.
     pub across: f64,
+    /// Downwards, in pixels.
     pub down: f64,
     /// Mean 1 over all places; negative in negative lobes.
     pub weight: f64,

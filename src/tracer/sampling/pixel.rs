@@ -16,7 +16,9 @@ pub enum SamplerKind {
 /// How the samples of a picture are chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Sampling {
+    /// Where the random numbers of a sample come from.
     pub sampler: SamplerKind,
+    /// How samples near a pixel count for it.
     pub filter: PixelFilter,
     /// Another seed gives another, independent picture of the same scene.
     pub seed: u32,

@@ -227,7 +227,7 @@ impl Aggregate {
         hit.is_some_and(|hit| Side::of(-ray.direction, primitive.surface(ray, &hit).normal) == Side::Back)
     }
 
-    /// Tells the surface at a hit to `then`, which is compiled for every kind of shape anew.
+    /// Passes the surface at a hit to `then`, which is compiled for each kind of shape.
     #[inline(always)]
     pub fn with_surface<R>(&self, ray: &Ray, hit: &Hit, then: impl FnOnce(Surface) -> R) -> R {
         self.primitives[hit.id.shape as usize].with_surface(ray, hit, then)

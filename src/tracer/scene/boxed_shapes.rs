@@ -71,7 +71,7 @@ impl BoxedShapes {
         nearest
     }
 
-    /// True if `stops` says so of a shape, by its number, whose box the ray meets within `limit`.
+    /// True if `stops` holds for the number of a shape whose box the ray meets within `limit`.
     #[inline]
     pub fn any(&self, ray: &Ray, limit: f64, stops: impl Fn(u32) -> bool) -> bool {
         let stops = |index: u32| stops(self.shapes[index as usize]);

@@ -21,18 +21,25 @@ use crate::shapes::Primitive;
 /// Everything a picture is computed from.
 #[derive(Debug)]
 pub struct Scene {
+    /// Where the picture is taken from, and its size in pixels.
     pub camera: Camera,
     /// Samples per pixel.
     pub samples: u32,
     /// How the samples are chosen.
     pub sampling: Sampling,
+    /// How light is followed.
     pub integrator: IntegratorSettings,
+    /// How the picture is written.
     pub output: OutputSettings,
+    /// The surroundings, infinitely far away.
     pub environment: Environment,
+    /// By the numbers that shapes hold.
     pub materials: Vec<Material>,
     /// What the scene calls them; those of a mesh file's own are called after the file.
     pub material_names: Vec<String>,
+    /// Light sources without an extent, in the order of the file.
     pub lights: Vec<Light>,
+    /// Everything a ray can hit.
     pub shapes: Aggregate,
     /// Every file the scene was read from: none of them may be written to.
     pub sources: Vec<PathBuf>,

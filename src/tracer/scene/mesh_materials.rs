@@ -154,8 +154,8 @@ fn is_coloured(described: &ObjMaterial) -> bool {
     described.diffuse_map.is_some() || described.diffuse.is_some_and(|colour| colour != Vec3::ZERO)
 }
 
-/// `illum` 4 and 9 speak of transparency, 6 and 7 of refraction; exporters write them for leaves and cloth, too. So glass is
-/// what lets light through (`d` below 1) or has no colour of its own; for 6 and 7 no picture is enough.
+/// `illum` 4 and 9 stand for transparency, 6 and 7 for refraction; exporters write them for leaves and cloth, too. A material
+/// is therefore glass only if it is transparent (`d` below 1) or has no diffuse colour; 6 and 7 without a picture are glass, too.
 fn is_glass(described: &ObjMaterial) -> bool {
     let transparent = described.dissolve.is_some_and(|dissolve| dissolve < 1.0);
     match described.illumination {

@@ -33,6 +33,7 @@ impl Wing {
 /// Computed once from the scene, obeyed by the integrators, printed by `render`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Plan {
+    /// The integrator that renders.
     pub integrator: IntegratorKind,
     /// Direct light is computed: there is a light source and a surface that shows it.
     pub direct_light: bool,

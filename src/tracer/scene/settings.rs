@@ -8,6 +8,7 @@ use crate::error::Result;
 /// How light is followed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct IntegratorSettings {
+    /// The integrator that the scene or the command line asks for.
     pub kind: IntegratorKind,
     /// The greatest number of reflections and refractions from a camera ray.
     pub depth: u32,
@@ -20,6 +21,7 @@ pub struct IntegratorSettings {
     pub caustics: Caustics,
     /// Whether faster code replaces the textbook where it applies.
     pub fast: bool,
+    /// Which BVH finds the shapes.
     pub hierarchy: HierarchyChoice,
     /// A mistake made on purpose, for lessons.
     pub mistake: Option<Mistake>,
@@ -90,6 +92,7 @@ pub enum IntegratorKind {
 /// What is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct OutputSettings {
+    /// How radiance above 1 is brought into `[0, 1]`.
     pub tone_map: ToneMap,
     /// `Linear` is a mistake made on purpose, for lessons.
     pub encoding: Encoding,

@@ -7,12 +7,14 @@ use crate::math::{Bounds, DVec3};
 /// A sphere around a shape.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct BoundingSphere {
+    /// In the world.
     pub centre: DVec3,
+    /// In units of the world.
     pub radius: f64,
 }
 
 impl Primitive {
-    /// The box around the shape in the world; `None` for a plane, which has no end.
+    /// The box around the shape in the world; `None` for a plane, which is infinite.
     pub fn bounds(&self) -> Option<Bounds> {
         let object = match &self.geometry {
             Geometry::Flat(Outline::Plane) => return None,

@@ -11,7 +11,7 @@ use crate::math::{DVec2, DVec3, Side};
 /// Distance to the nearest hit in `(0, limit)`, in units of the direction's length.
 ///
 /// A ray that leaves this sphere has one root at its origin. Outwards it never comes back; inwards the other root is
-/// -2 o.d / d.d in closed form, so neither is a matter of tolerance.
+/// -2 o.d / d.d in closed form, so neither needs a tolerance.
 ///
 /// `error` is how far, in units of the direction's length, the origin may be from where it should be: an exit no farther
 /// ahead, of a ray not known to be inside, is that of a ray that starts on the surface and moves away from it.

@@ -52,8 +52,8 @@ impl SpherePack {
         pack
     }
 
-    /// Calls `found` with number and distance of the spheres that a ray of unit direction hits, until it says enough;
-    /// returns whether it did. The nearest hit of a sphere counts; a ray that leaves a sphere meets it
+    /// Calls `found` with number and distance of the spheres that a ray of unit direction hits, until it returns
+    /// true; returns whether it did. The nearest hit of a sphere counts; a ray that leaves a sphere meets it
     /// only at the other end of the chord.
     #[inline(always)]
     pub fn hits(&self, ray: &Ray, mut found: impl FnMut(u32, f64) -> bool) -> bool {

@@ -67,7 +67,7 @@ impl ViewCones {
     }
 
     /// False only if no sphere is met by a ray in this unit direction from the point, or by one to the point that starts
-    /// `distance` away in this direction. True says nothing.
+    /// `distance` away in this direction. True does not promise a hit.
     #[inline(always)]
     pub fn may_meet(&self, direction: DVec3, distance: f64) -> bool {
         let [dx, dy, dz] = direction.to_array();

@@ -81,7 +81,7 @@ impl Correlation {
         (0.5 * difference * difference / variance).min(MOST).copysign(difference)
     }
 
-    /// Fisher's z, of variance 1 / `independent` whatever the correlation is.
+    /// Fisher's z, of variance 1 / `independent` at any correlation.
     fn fisher(self) -> f32 {
         let value = self.value.clamp(-HIGHEST, HIGHEST);
         0.5 * logarithm((1.0 + value) / (1.0 - value))

@@ -14,7 +14,9 @@ use crate::envmap::{Face, FaceLookup, Lookup, Orientation};
 /// An edge of the cube: the two faces that meet there, in the order of [`Face::ALL`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Edge {
+    /// The face that comes first in [`Face::ALL`].
     pub first: Face,
+    /// The other face.
     pub second: Face,
 }
 
@@ -115,7 +117,7 @@ impl Border {
     }
 
     /// The same edge on the picture when the face reads it at `orientation(u, v)`.
-    pub fn laid(self, orientation: Orientation) -> Self {
+    pub fn in_orientation(self, orientation: Orientation) -> Self {
         let along = if self.reversed { 0.75 } else { 0.25 };
         let (u, v) = self.side.place(along, 0.0);
         let (u, v) = orientation.apply(u, v);
@@ -134,10 +136,11 @@ pub struct EdgeBorders {
 
 impl EdgeBorders {
     pub fn new(lookup: &Lookup) -> Self {
-        let laid = |face: Face, neighbour: Face| {
-            Orientation::ALL.map(|orientation| Border::of_face(lookup.row(face), face, neighbour).laid(orientation))
+        let all = |face: Face, neighbour: Face| {
+            Orientation::ALL
+                .map(|orientation| Border::of_face(lookup.row(face), face, neighbour).in_orientation(orientation))
         };
-        let borders = Edge::ALL.map(|Edge { first, second }| [laid(first, second), laid(second, first)]);
+        let borders = Edge::ALL.map(|Edge { first, second }| [all(first, second), all(second, first)]);
         Self { borders }
     }
 
@@ -180,12 +183,16 @@ mod tests {
     }
 
     #[test]
-    fn a_laid_border_is_the_border_of_the_laid_row() {
+    fn an_oriented_border_is_the_border_of_the_oriented_row() {
         for orientation in Orientation::ALL {
             for edge in Edge::ALL {
                 let row = Preset::Course.lookup().row(edge.first);
-                let laid = Border::of_face(row, edge.first, edge.second).laid(orientation);
-                assert_eq!(laid, Border::of_face(orientation.of_row(row), edge.first, edge.second), "{orientation:?}");
+                let placed = Border::of_face(row, edge.first, edge.second).in_orientation(orientation);
+                assert_eq!(
+                    placed,
+                    Border::of_face(orientation.of_row(row), edge.first, edge.second),
+                    "{orientation:?}"
+                );
             }
         }
     }

@@ -208,9 +208,9 @@ mod tests {
     fn a_turn_of_the_whole_cube_costs_the_same() {
         let problem = problem(5);
         let lookup = Preset::Course.lookup();
-        let laid = Arrangement { images: Face::ALL, orientations: [0, 3, 5, 7, 1, 2] };
+        let placed = Arrangement { images: Face::ALL, orientations: [0, 3, 5, 7, 1, 2] };
         for symmetry in super::super::symmetry::Symmetry::all() {
-            assert_eq!(cost(&problem, &symmetry.of(&laid, &lookup)), cost(&problem, &laid), "{symmetry:?}");
+            assert_eq!(cost(&problem, &symmetry.of(&placed, &lookup)), cost(&problem, &placed), "{symmetry:?}");
         }
     }
 }

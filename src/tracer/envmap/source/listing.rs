@@ -22,7 +22,7 @@ pub enum Naming {
     Numbers,
     /// Nothing.
     Nothing,
-    /// They are places in a strip or sheet, for which there are many orders.
+    /// They are cells of a strip or sheet, whose order varies between programs.
     Cells,
 }
 

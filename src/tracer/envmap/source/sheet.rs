@@ -27,7 +27,7 @@ impl Sheet {
         &self.path
     }
 
-    /// Reads the header and tells the layout from it; where the faces of a cross lie its pixels must tell.
+    /// Reads the header and finds the layout from it; the pixels of a cross show where its faces lie.
     pub fn open(path: &Path) -> Result<Self> {
         let (header, head) = read_header(|limit| read_file(path, limit), path)?;
         let attribute = picture::exr_environment(&head);
@@ -48,7 +48,7 @@ impl Sheet {
         Ok(sheet)
     }
 
-    /// An error for an equi-angular cube map, which only its name tells.
+    /// An error for an equi-angular cube map, which only its file name reveals.
     fn refuse_equi_angular(&self) -> Result<()> {
         let name = self.name().to_ascii_lowercase();
         if name.split(|letter: char| !letter.is_ascii_alphabetic()).all(|word| word != "eac") {

@@ -6,9 +6,13 @@ use crate::error::Error;
 /// A face whose size does not suit a cube.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SizeFault {
+    /// The face, by the name of its image.
     pub face: Face,
+    /// Columns of texels.
     pub width: usize,
+    /// Rows of texels.
     pub height: usize,
+    /// What is wrong with the size.
     pub kind: SizeFaultKind,
 }
 
@@ -18,7 +22,10 @@ pub enum SizeFaultKind {
     /// Width and height differ.
     NotSquare,
     /// Square, but of another size than most faces; among equally many the faces first in order set the size.
-    Differs { from: usize },
+    Differs {
+        /// The side of most faces, in texels.
+        from: usize,
+    },
 }
 
 /// The faults of six sizes (width, height), in the order of the faces.

@@ -11,6 +11,7 @@ pub struct FirstHit {
     pub normal: DVec3,
     /// Share of the light that is reflected or transmitted.
     pub albedo: Vec3,
+    /// From the ray's origin, in units of the world.
     pub distance: f64,
 }
 

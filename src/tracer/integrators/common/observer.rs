@@ -50,50 +50,151 @@ pub enum RayKind {
 #[derive(Debug, Clone, Copy)]
 pub enum LightOutcome {
     /// Ambient light, unshadowed.
-    Ambient { contribution: Vec3 },
+    Ambient {
+        /// Radiance towards the viewer.
+        contribution: Vec3,
+    },
     /// The light does not reach this point: outside the cone of a spot.
     Unreached,
     /// The surface faces away from it, or the material reflects nothing from there.
     Behind,
     /// Something is in between.
-    Blocked { ray: Ray, distance: f64 },
+    Blocked {
+        /// From the surface to the light.
+        ray: Ray,
+        /// To what is in between.
+        distance: f64,
+    },
     /// Nothing is in between.
-    Free { ray: Ray, distance: f64, cosine: f64, contribution: Vec3 },
+    Free {
+        /// From the surface to the light.
+        ray: Ray,
+        /// To the light; infinite for parallel light.
+        distance: f64,
+        /// Between the shading normal and the direction to the light.
+        cosine: f64,
+        /// Radiance towards the viewer.
+        contribution: Vec3,
+    },
 }
 
 /// A step of an integrator. What is between `Ray` and its `End` belongs to that ray.
 #[derive(Debug, Clone, Copy)]
 pub enum Event {
     /// A ray sets out; what it finds counts `factor` for what sent it out.
-    Ray { kind: RayKind, ray: Ray, factor: Vec3 },
+    Ray {
+        /// Why the ray was sent.
+        kind: RayKind,
+        /// In the world, of unit direction.
+        ray: Ray,
+        /// Linear RGB.
+        factor: Vec3,
+    },
     /// It hit nothing and took the environment; `transmittance` is what is left of it through glass.
-    Missed { direction: DVec3, environment: Vec3, transmittance: Vec3 },
+    Missed {
+        /// Unit direction of the ray, in the world.
+        direction: DVec3,
+        /// Linear RGB radiance from there.
+        environment: Vec3,
+        /// Linear RGB in `[0, 1]`.
+        transmittance: Vec3,
+    },
     /// It hit nothing, and nothing is taken: black.
     Nothing,
     /// It hit a surface; `transmittance` is the share of its light that passes the glass in between.
-    Hit { surface: Surface, side: Side, shading_normal: DVec3, distance: f64, cosine: f64, transmittance: Vec3 },
+    Hit {
+        /// The surface there, in the world.
+        surface: Surface,
+        /// Which side of the surface the ray met.
+        side: Side,
+        /// Unit length, on the side of the viewer.
+        shading_normal: DVec3,
+        /// Along the ray, in units of the world.
+        distance: f64,
+        /// Between the shading normal and the direction back along the ray.
+        cosine: f64,
+        /// Linear RGB in `[0, 1]`.
+        transmittance: Vec3,
+    },
     /// The colour that a surface shows by itself.
-    Own { what: &'static str, colour: Vec3 },
+    Own {
+        /// What it is, in the words of the report.
+        what: &'static str,
+        /// Linear RGB radiance.
+        colour: Vec3,
+    },
     /// Number of the light in the scene.
-    Light { number: usize, outcome: LightOutcome },
+    Light {
+        /// From 0, in the order of the scene file.
+        number: usize,
+        /// Whether its light arrives.
+        outcome: LightOutcome,
+    },
     /// What Fresnel's equations give at a smooth glass.
-    Fresnel { index_before: f64, index_beyond: f64, reflectance: f64, cos_transmitted: Option<f64> },
+    Fresnel {
+        /// Index of refraction on the side of the ray.
+        index_before: f64,
+        /// Index of refraction on the other side.
+        index_beyond: f64,
+        /// Unpolarised, in `[0, 1]`; 1 at total reflection.
+        reflectance: f64,
+        /// Cosine of the angle of refraction; `None` at total reflection.
+        cos_transmitted: Option<f64>,
+    },
     /// A branch is not followed: its depth.
-    CutByDepth { kind: RayKind, depth: u32 },
+    CutByDepth {
+        /// What the branch would have been.
+        kind: RayKind,
+        /// Reflections and refractions up to here.
+        depth: u32,
+    },
     /// A branch is not followed by a random decision.
-    CutByWeight { kind: RayKind, weight: f32 },
+    CutByWeight {
+        /// What the branch would have been.
+        kind: RayKind,
+        /// What the branch would have counted.
+        weight: f32,
+    },
     /// A path went on by a random decision, and counts for those that did not.
     Survived {
         /// The probability of that.
         probability: f32,
     },
     /// A light with an extent was drawn, and counts with the weight of multiple importance sampling.
-    SampledLight { ray: Ray, density: f64, weight: f32, radiance: Option<Vec3> },
+    SampledLight {
+        /// From the surface to the point on the light.
+        ray: Ray,
+        /// Of the drawn direction, per steradian.
+        density: f64,
+        /// Of multiple importance sampling, in `[0, 1]`.
+        weight: f32,
+        /// What arrives, linear RGB; `None` if the light is blocked.
+        radiance: Option<Vec3>,
+    },
     /// A direction was drawn to go on.
-    Scattered { specular: bool, transmitted: bool, density: f64, weight: Vec3 },
+    Scattered {
+        /// True if no other direction was possible: mirrors and smooth glass.
+        specular: bool,
+        /// True if the path passes to the other side.
+        transmitted: bool,
+        /// Of the drawn direction, per steradian; for specular events the probability of the branch.
+        density: f64,
+        /// Scattering function times cosine over density, linear RGB.
+        weight: Vec3,
+    },
     /// Light found was added to the pixel: what the path carried to here times what arrives, times the weight that it counts
     /// beside another way to find it.
-    Added { what: &'static str, weight: f32, contribution: Vec3 },
+    Added {
+        /// Where the light comes from, in the words of the report.
+        what: &'static str,
+        /// Of multiple importance sampling, in `[0, 1]`.
+        weight: f32,
+        /// What the pixel gains, linear RGB.
+        contribution: Vec3,
+    },
     /// The ray is done: what it brought back; `None` where the path adds to the pixel instead.
-    End { radiance: Option<Vec3> },
+    End {
+        /// Linear RGB.
+        radiance: Option<Vec3>,
+    },
 }

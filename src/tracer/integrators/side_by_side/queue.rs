@@ -61,7 +61,7 @@ pub struct Glass {
 pub struct Sender {
     /// Number of the ray in the queue above.
     pub path: usize,
-    /// Factor on what is brought back.
+    /// Factor on the radiance along the ray.
     pub factor: Vec3,
 }
 
@@ -79,7 +79,7 @@ pub struct Queue {
 /// What rays found.
 #[derive(Default)]
 pub struct Found {
-    /// What each ray brings back, as far as it is known.
+    /// The radiance along each ray, as far as it is known.
     pub radiances: Vec<Vec3>,
     /// Transmittance along each ray; empty if no glass attenuates light.
     pub transmittances: Vec<Vec3>,

@@ -25,6 +25,7 @@ pub struct StreamTracer<'a> {
 }
 
 impl<'a> StreamTracer<'a> {
+    /// Builds the view cones from each light source that shadow rays go to exactly.
     pub fn new(scene: &'a Scene, plan: &'a Plan) -> Self {
         // Rays with a mistake do not go to the light exactly.
         let exact = plan.shadow_rays && scene.integrator.mistake.is_none();
@@ -33,7 +34,7 @@ impl<'a> StreamTracer<'a> {
         Self { scene, plan, glass: Media { scene, absorption: plan.absorption }, from_lights }
     }
 
-    /// An empty stream for rays of the camera, which all start at `origin`, if there is one: that may save work.
+    /// An empty stream for camera rays; `origin`, if all start at one point, allows view cones.
     pub fn stream(&self, origin: Option<DVec3>) -> RayStream {
         let Plan { integrator, reflection, refraction, .. } = *self.plan;
         let sends_on = integrator == IntegratorKind::Whitted && (reflection || refraction);
@@ -59,7 +60,7 @@ struct Pass<'p, 'a> {
 }
 
 impl Pass<'_, '_> {
-    /// Finds what the rays of the first queue bring back; the others take the rays that are sent on. `cones` are those from
+    /// Finds the radiance along the rays of the first queue; the others take the rays that are sent on. `cones` are those from
     /// the point that all rays of the first queue start at.
     fn trace(&mut self, cones: Option<&ViewCones>, queues: &mut [Queue]) {
         let Some((queue, deeper)) = queues.split_first_mut() else { return };

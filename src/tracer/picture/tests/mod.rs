@@ -1,10 +1,10 @@
 mod colours;
 mod damaged_files;
-mod foreign_files;
 mod image_formats;
 mod jpeg_data;
 mod netpbm_files;
 mod openexr_files;
 mod pictures;
 mod sampling;
+mod unsupported_files;
 mod written_files;

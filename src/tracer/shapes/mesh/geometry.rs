@@ -11,6 +11,7 @@ const LARGEST_COORDINATE: f32 = 1e12;
 /// A triangle's front is where its vertices run counter-clockwise.
 #[derive(Debug, Clone, Default)]
 pub struct MeshGeometry {
+    /// Position of each vertex.
     pub positions: Vec<Vec3>,
     /// Shading normal of each vertex (any length; zero where it has none), or empty: then the faces are flat.
     pub normals: Vec<Vec3>,

@@ -144,7 +144,7 @@ impl Query {
         Some(Self { ray, sheared, packet, departure })
     }
 
-    /// Calls `found` for the hits in a packet until it says enough; returns whether it did.
+    /// Calls `found` for the hits in a packet until it returns true; returns whether it did.
     #[inline]
     fn hits(&self, packet: &Packet, mut found: impl FnMut(MeshHit) -> bool) -> bool {
         let mut candidates = self.packet.candidates(packet);

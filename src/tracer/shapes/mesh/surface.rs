@@ -6,6 +6,7 @@ use crate::math::{DVec3, Vec2};
 /// What there is to know of a point on the mesh, in the mesh's own space.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MeshPoint {
+    /// The point itself.
     pub position: DVec3,
     /// Unit length, to the front of the triangle: where its vertices run counter-clockwise.
     pub geometric_normal: DVec3,

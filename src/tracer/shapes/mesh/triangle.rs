@@ -27,7 +27,7 @@ pub struct TriangleHit {
 /// A corner is sheared to the same point whichever triangle it is looked at for, and each `U` compares two products:
 /// rounding is monotone, so the comparison is right or says "equal", which counts as inside. Two triangles on one
 /// edge therefore never both say "outside": nothing leaks. Computed in `f64`, from the `f32` corners and the `f64`
-/// ray: nothing is rounded that was given.
+/// ray, without rounding the input.
 #[derive(Debug, Clone, Copy)]
 pub struct ShearedRay {
     origin: [f64; 3],

@@ -12,12 +12,15 @@ use crate::math::{DVec2, DVec3, SurfaceId, Transform};
 /// A shape with its place and material.
 #[derive(Debug, Clone)]
 pub struct Primitive {
+    /// The shape in object space.
     pub geometry: Geometry,
+    /// From object space to the world.
     pub transform: Transform,
+    /// One material, or one for each group of a mesh.
     pub material: MaterialChoice,
     /// False if light passes the shape as if it were not there.
     pub casts_shadow: bool,
-    /// False if nobody asks for the texture coordinates: they are then left at 0.
+    /// False if nothing needs the texture coordinates: they then stay 0.
     pub textured: bool,
     kernel: Kernel,
 }
@@ -84,6 +87,7 @@ pub enum MaterialChoice {
 pub struct Hit {
     /// Distance along the ray.
     pub t: f64,
+    /// Which shape, and which triangle of a mesh.
     pub id: SurfaceId,
     /// Weights of the three vertices of a triangle; 0 for other shapes.
     pub barycentric: [f64; 3],
@@ -92,6 +96,7 @@ pub struct Hit {
 /// The surface at a hit, in the world.
 #[derive(Debug, Clone, Copy)]
 pub struct Surface {
+    /// The point itself.
     pub position: DVec3,
     /// Unit normal of the true surface, pointing to its front (outside).
     pub normal: DVec3,
@@ -101,6 +106,7 @@ pub struct Surface {
     pub texture_coordinates: DVec2,
     /// Number of the material in the scene.
     pub material: u32,
+    /// Which shape, and which triangle of a mesh.
     pub id: SurfaceId,
 }
 

@@ -13,8 +13,7 @@ impl Primitive {
         self.with_surface(ray, hit, |surface| surface)
     }
 
-    /// Tells that surface to `then`, which is compiled for every kind of shape anew: what is done with the numbers at once
-    /// does not lead them through memory.
+    /// Passes that surface to `then`, which is compiled for each kind of shape: the numbers can stay in registers.
     #[inline(always)]
     pub fn with_surface<R>(&self, ray: &Ray, hit: &Hit, then: impl FnOnce(Surface) -> R) -> R {
         match &self.kernel {

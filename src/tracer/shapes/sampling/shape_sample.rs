@@ -5,6 +5,7 @@ use crate::math::DVec3;
 /// A point on a shape as seen from another point, in the world.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShapeSample {
+    /// The point itself.
     pub position: DVec3,
     /// Unit normal of the true surface, to its front: it points away from the viewer where the back is seen.
     pub normal: DVec3,

@@ -76,7 +76,7 @@ impl<'a> ChainTracer<'a> {
         chains
     }
 
-    /// The light in one branch; `None` if that is none, or hardly any.
+    /// The light in one branch; `None` if it is negligible.
     fn branched(&self, flight: &Flight, vertex: &Vertex, transmitted: bool) -> Option<Flight> {
         let (sample, _) = branch(vertex, transmitted)?;
         let share = flight.share * f64::from(luminance(sample.weight));

@@ -3,7 +3,7 @@
 //! A path from the camera finds a small source behind glass only by chance, so this light stays noisy for hours. A
 //! photon pass therefore traces rays from the source first and stores photons at their hits. A photon gives later paths
 //! the directions in which the light is seen from there. These directions are another sampling strategy with a known
-//! density, weighted against the material's own strategy: the picture stays unbiased, whatever the photons say (Jensen,
+//! density, weighted against the material's own strategy: no photon can bias the picture (Jensen,
 //! Importance Driven Path Tracing Using the Photon Map, 1995; with photon differentials in place of a count of
 //! photons).
 

@@ -7,9 +7,10 @@ use super::statements::{Mention, listed, number, read_text, shortened, statement
 use crate::error::{Error, Result};
 use crate::math::Vec3;
 
-/// A material of an MTL file; what it does not say is `None`. Colours are as written.
+/// A material of an MTL file; `None` where the file has no value. Colours are as written.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct ObjMaterial {
+    /// The name after `newmtl`.
     pub name: String,
     /// `Kd`.
     pub diffuse: Option<Vec3>,
@@ -162,8 +163,8 @@ impl Libraries {
     }
 }
 
-/// A file that a file names: relative to its folder, with the separators of any system. Exporters write where it lay on their
-/// own disk; if nothing is there, but a file of that name beside the file that names it, it is that: then true.
+/// The path of a file named in an MTL file: relative to its folder, with the separators of any system. Exporters write the
+/// paths of their own disk: if that file does not exist, a file of the same name in the folder replaces it (then true).
 fn beside(folder: &Path, name: &str) -> (PathBuf, bool) {
     let name = name.trim_matches('"');
     let as_written = folder.join(name);

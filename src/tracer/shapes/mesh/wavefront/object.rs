@@ -15,9 +15,10 @@ use crate::shapes::mesh::{Mesh, MeshGeometry};
 /// What an OBJ file holds: one mesh of all its objects.
 ///
 /// Missing normals stay missing (flat faces). Texture coordinates are the file's: `v = 0` at the bottom of the picture.
-/// Points and lines are not drawn. The materials are read only where somebody asks for them.
+/// Points and lines are not drawn. Materials are read on demand.
 #[derive(Debug, Clone)]
 pub struct ObjFile {
+    /// All triangles of the file.
     pub mesh: Arc<Mesh>,
     /// Where the mesh's origin lies in the file's coordinates. Vertices far from the origin, as on a map of a country, are
     /// moved to their own middle before they are rounded to single precision; others stay where they are.
@@ -97,7 +98,7 @@ struct Reader {
     libraries: Vec<Mention>,
     /// What was read with goodwill or left out: how often, and the first line.
     oddities: BTreeMap<&'static str, (usize, usize)>,
-    /// The corners of the face at hand.
+    /// The corners of the current face.
     corners: Vec<Corner>,
 }
 
@@ -148,7 +149,7 @@ impl Reader {
         self.oddities.iter().map(remark).collect()
     }
 
-    /// At least `needed` numbers, and how many there are; what is missing is 0.
+    /// At least `needed` numbers, and how many there are; missing ones are 0.
     fn read_numbers<const MOST: usize>(
         &mut self,
         line: usize,

@@ -1,4 +1,4 @@
-//! Recognises files that are not pictures, and tells their owner what to do.
+//! Files that no decoder reads: the error says what they are, and what to do.
 
 use crate::error::Error;
 

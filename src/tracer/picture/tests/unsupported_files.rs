@@ -1,4 +1,4 @@
-//! Files that are not pictures, whatever their names.
+//! Files that are not pictures: the error says what they are, however they are named.
 
 use std::path::Path;
 
