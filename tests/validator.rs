@@ -70,7 +70,7 @@ fn the_exercise_is_corrected_on_a_z_up_map() {
         let options = options(Preset::Exercise, world_up);
         let check = check_pictures(compass_for_z_up(), Preset::Exercise.lookup(), &options);
         assert_eq!((check.verdict, changes(&check).as_str()), (Verdict::Broken, EXERCISE_FIXES));
-        assert_eq!(check.fix.convention(), Some(Convention::Course));
+        assert_eq!(check.fix.convention, Some(Convention::Course));
         assert_eq!(check.fix.lookup(&check.lookup), Preset::Course.lookup());
     }
 }
@@ -81,7 +81,7 @@ fn the_exercise_is_corrected_on_a_download() {
     for map in [Some(own), common::shared_map("Meadow.zip")].into_iter().flatten() {
         let check = checked(&map, Preset::Exercise, Some(SignedAxis::POS_Z));
         assert_eq!(check.fix.lookup(&check.lookup), Preset::HumusZUp.lookup());
-        assert_eq!(check.fix.convention(), Some(Convention::HumusZUp));
+        assert_eq!(check.fix.convention, Some(Convention::HumusZUp));
         let orientations = check.fix.faces.map(|fix| fix.orientation.formulas());
         let as_is = ("u", "v");
         assert_eq!(orientations, [("1-u", "v"), as_is, as_is, ("1-u", "v"), ("u", "1-v"), as_is]);
@@ -133,7 +133,7 @@ fn conventions_are_named() {
     for (name, convention) in known {
         let Some(map) = common::shared_map(name) else { continue };
         let check = checked(&map, Preset::Opengl, None);
-        assert_eq!((check.verdict, check.fix.convention()), (Verdict::Broken, Some(convention)), "{name}");
+        assert_eq!((check.verdict, check.fix.convention), (Verdict::Broken, Some(convention)), "{name}");
     }
 }
 

@@ -15,13 +15,16 @@
 
 use std::fmt;
 
-use crate::digits::rounded;
-use crate::envmap::{Face, Lookup, Orientation};
-use crate::validate::{Check, FaceFix, ImageFacts, Seam, Verdict};
+use serde::Serialize;
+
+use crate::envmap::Orientation;
+use crate::validate::{Check, FaceFix, Seam, Verdict};
 
 /// A check of a map, to be printed.
+#[derive(Serialize)]
 pub struct CheckReport<'a> {
     map: String,
+    #[serde(flatten)]
     check: &'a Check,
 }
 
@@ -33,7 +36,7 @@ impl<'a> CheckReport<'a> {
 
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        serde_json::to_string_pretty(&Json::of(self)).expect("a report is plain data")
+        serde_json::to_string_pretty(self).expect("a report is plain data")
     }
 
     /// The report in one line: verdict, and what to do.
@@ -67,7 +70,7 @@ impl<'a> CheckReport<'a> {
 
 /// The entry of a map that could not be checked, among the reports on several.
 pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
-    #[derive(serde::Serialize)]
+    #[derive(Serialize)]
     struct Failed<'a> {
         map: &'a str,
         error: String,
@@ -88,83 +91,6 @@ fn formulas(fix: &FaceFix) -> Vec<String> {
     let (u, v) = fix.orientation.formulas();
     let changed = [("u", u), ("v", v)].into_iter().filter(|(name, formula)| name != formula);
     changed.map(|(name, formula)| format!("{name}' = {formula}")).collect()
-}
-
-#[derive(serde::Serialize)]
-struct Json<'a> {
-    map: &'a str,
-    lookup: &'a str,
-    images: &'a [ImageFacts],
-    verdict: Verdict,
-    seams: &'a [Seam],
-    fix: JsonFix<'a>,
-    handedness: JsonHandedness<'a>,
-    notes: Vec<String>,
-}
-
-#[derive(serde::Serialize)]
-struct JsonFix<'a> {
-    faces: Vec<JsonFaceFix>,
-    /// What happened to the files, and other stories that are as short.
-    story: String,
-    also: Vec<String>,
-    changes: usize,
-    convention: Option<&'static str>,
-    margin: f64,
-    seams_after: &'a [Seam],
-    equivalents: usize,
-}
-
-#[derive(serde::Serialize)]
-struct JsonFaceFix {
-    face: Face,
-    image: Face,
-    u: &'static str,
-    v: &'static str,
-    image_operation: String,
-    decided: bool,
-}
-
-#[derive(serde::Serialize)]
-struct JsonHandedness<'a> {
-    mirrored: &'a [Face],
-}
-
-impl<'a> Json<'a> {
-    fn of(report: &'a CheckReport<'a>) -> Self {
-        let check = report.check;
-        Self {
-            map: &report.map,
-            lookup: &check.lookup_name,
-            images: &check.images,
-            verdict: check.verdict,
-            seams: &check.seams,
-            fix: JsonFix {
-                faces: check.fix.faces.iter().map(|fix| face_fix(fix, &check.lookup)).collect(),
-                story: check.fix.story.to_string(),
-                also: check.fix.also.iter().map(ToString::to_string).collect(),
-                changes: check.fix.changes,
-                convention: check.fix.convention().map(|convention| convention.name()),
-                margin: rounded(check.fix.margin, 1),
-                seams_after: &check.fix.seams_after,
-                equivalents: check.fix.equivalents,
-            },
-            handedness: JsonHandedness { mirrored: &check.mirrored },
-            notes: check.notes.iter().map(ToString::to_string).collect(),
-        }
-    }
-}
-
-fn face_fix(fix: &FaceFix, lookup: &Lookup) -> JsonFaceFix {
-    let (u, v) = fix.orientation.formulas();
-    JsonFaceFix {
-        face: fix.face,
-        image: fix.image,
-        u,
-        v,
-        image_operation: fix.orientation.image_operation(lookup.v_origin()).name(),
-        decided: fix.decided,
-    }
 }
 
 /// The rotations and mirrorings of a cube.
@@ -259,7 +185,7 @@ impl CheckReport<'_> {
             file_change.push(format!("read {file} as {}", check.lookup.row(fix.face).image.name()));
         }
         if fix.orientation != Orientation::IDENTITY {
-            file_change.push(fix.orientation.image_operation(check.lookup.v_origin()).name());
+            file_change.push(fix.image_operation.name());
         }
         let doubt = if fix.decided { "" } else { " (undecided)" };
         writeln!(formatter, "    or the file: {}{doubt}", file_change.join(", "))
