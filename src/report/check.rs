@@ -1,6 +1,7 @@
 //! The report of `skycube check`, as text and as JSON.
 //!
-//! The JSON has these keys, in this order; numbers are rounded to the digits that are stable:
+//! The JSON has an entry for each map, and `totals`. An entry has these keys, in this order, or `{ map, error }`; numbers are
+//! rounded to the digits that are stable:
 //!
 //! ```text
 //! map, lookup
@@ -17,7 +18,9 @@ use std::fmt;
 
 use serde::Serialize;
 
+use super::json::to_json;
 use crate::envmap::Orientation;
+use crate::error::Result;
 use crate::validate::{Check, FaceFix, Seam, Verdict};
 
 /// A check of a map, to be printed.
@@ -32,11 +35,6 @@ impl<'a> CheckReport<'a> {
     /// The report on the map that the user calls `map`.
     pub fn new(map: String, check: &'a Check) -> Self {
         Self { map, check }
-    }
-
-    /// The report for machines.
-    pub fn to_json(&self) -> String {
-        serde_json::to_string_pretty(self).expect("a report is plain data")
     }
 
     /// The report in one line: verdict, and what to do.
@@ -68,14 +66,53 @@ impl<'a> CheckReport<'a> {
     }
 }
 
-/// The entry of a map that could not be checked, among the reports on several.
-pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
-    #[derive(Serialize)]
-    struct Failed<'a> {
-        map: &'a str,
-        error: String,
+/// A map as the user calls it, and its check.
+pub type MapCheck = (String, Result<Check>);
+
+/// The number of maps per verdict.
+#[derive(Default, Serialize)]
+pub(crate) struct Totals {
+    pub fits: usize,
+    pub broken: usize,
+    pub undecidable: usize,
+    pub failed: usize,
+}
+
+impl Totals {
+    /// Counts the verdicts.
+    pub fn of(checks: &[MapCheck]) -> Self {
+        let mut totals = Self::default();
+        for (_, checked) in checks {
+            let count = match checked.as_ref().map(|check| check.verdict) {
+                Ok(Verdict::Fits) => &mut totals.fits,
+                Ok(Verdict::Broken) => &mut totals.broken,
+                Ok(Verdict::Undecidable) => &mut totals.undecidable,
+                Err(_) => &mut totals.failed,
+            };
+            *count += 1;
+        }
+        totals
     }
-    serde_json::to_string_pretty(&Failed { map, error: error.to_string() }).expect("plain data")
+}
+
+/// The report for machines, on one map or several.
+pub fn check_json(checks: &[MapCheck]) -> String {
+    #[derive(Serialize)]
+    struct Json<'a> {
+        maps: Vec<Entry<'a>>,
+        totals: Totals,
+    }
+    #[derive(Serialize)]
+    #[serde(untagged)]
+    enum Entry<'a> {
+        Checked(CheckReport<'a>),
+        Failed { map: &'a str, error: String },
+    }
+    let maps = checks.iter().map(|(map, checked)| match checked {
+        Ok(check) => Entry::Checked(CheckReport::new(map.clone(), check)),
+        Err(error) => Entry::Failed { map, error: error.to_string() },
+    });
+    to_json("check", &Json { maps: maps.collect(), totals: Totals::of(checks) })
 }
 
 /// The statements that change u, v to u', v', after those that compute u and v.

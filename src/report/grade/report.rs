@@ -5,6 +5,7 @@ use std::fmt;
 
 use serde::Serialize;
 
+use super::super::json::to_json;
 use super::sentences::{
     DIVISION, cause, describe, faces, other_explanation, other_up, out_of_range, preset, repair, undecided,
 };
@@ -92,7 +93,7 @@ impl GradeReport<'_> {
             causes: self.causes().into_iter().map(|one| cause(one, self.v_origin())).collect(),
             notes: self.notes(),
         };
-        serde_json::to_string_pretty(&json).expect("a report is plain data")
+        to_json("grade", &json)
     }
 
     /// The verdict as a sentence.

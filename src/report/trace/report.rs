@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::super::json::to_json;
 use super::events::{colour, environment, hit, length, light, shape_name, vector};
 use super::json;
 use crate::PixelTrace;
@@ -27,8 +28,7 @@ pub struct TraceReport<'a> {
 impl TraceReport<'_> {
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        serde_json::to_string_pretty(&json::report(self.file, self.plan.integrator, self.scene, self.trace))
-            .expect("a report is plain data")
+        to_json("trace", &json::report(self.file, self.plan.integrator, self.scene, self.trace))
     }
 
     fn write_events(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
