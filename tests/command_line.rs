@@ -44,6 +44,23 @@ fn the_report_for_machines_is_json() {
 }
 
 #[test]
+fn the_json_of_a_check_lists_maps_that_cannot_be_checked_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let compass = concat!(env!("CARGO_MANIFEST_DIR"), "/envmaps/compass");
+    for (maps, fits) in [(&["missing"][..], 0), (&[compass, "missing"], 1)] {
+        let output = skycube(folder.path(), &[&["check", "--json"], maps].concat());
+        assert_eq!(output.status.code(), Some(2));
+        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        assert_eq!((&report["version"], &report["command"]), (&1.into(), &"check".into()));
+        let last = &report["maps"][maps.len() - 1];
+        assert_eq!(last["map"], "missing");
+        assert!(last["error"].as_str().unwrap().contains("does not exist"), "{last}");
+        let totals = serde_json::json!({ "fits": fits, "broken": 0, "undecidable": 0, "failed": 1 });
+        assert_eq!(report["totals"], totals);
+    }
+}
+
+#[test]
 fn all_output_formats_are_written() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["a.png", "a.jpg", "a.hdr", "a.exr"] {

@@ -10,7 +10,7 @@ use super::terminal::{Outcome, print, remark};
 use crate::envmap::SignedAxis;
 use crate::envmap::source::{Skybox, is_meant_as_map, is_passed_over, sets_in};
 use crate::error::{Error, Result};
-use crate::report::{CheckReport, failed_check_json};
+use crate::report::{CheckReport, MapCheck, Totals, check_json};
 use crate::validate::{Check, CheckOptions, Names, Verdict};
 
 /// The options of all commands that check a map.
@@ -67,16 +67,16 @@ pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
     read_lookup(&arguments.validation.lookup)?;
     if let Some(skybox) = Skybox::of_six_squares(&arguments.maps) {
         let name = arguments.maps.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" ");
-        return check_one(Path::new(&name), &skybox, arguments);
+        return check_one(name, Ok(skybox), arguments);
     }
     if let [map] = &arguments.maps[..]
         && let Ok(skybox) = Skybox::open_lenient(map)
     {
-        return check_one(map, &skybox, arguments);
+        return check_one(map.display().to_string(), Ok(skybox), arguments);
     }
     let maps: Vec<PathBuf> = arguments.maps.iter().flat_map(|map| maps_at(map)).collect();
     match &maps[..] {
-        [map] if arguments.maps == maps => check_one(map, &Skybox::open_lenient(map)?, arguments),
+        [map] if arguments.maps == maps => check_one(map.display().to_string(), Skybox::open_lenient(map), arguments),
         _ => check_several(&maps, arguments),
     }
 }
@@ -96,26 +96,26 @@ fn is_map(path: &Path) -> bool {
     Skybox::open_lenient(path).is_ok() || is_meant_as_map(path)
 }
 
-fn check_one(map: &Path, skybox: &Skybox, arguments: &CheckArguments) -> Result<Outcome> {
-    let check = match arguments.validation.check(skybox) {
-        Ok(check) => check,
+fn check_one(name: String, skybox: Result<Skybox>, arguments: &CheckArguments) -> Result<Outcome> {
+    let checks = [(name, skybox.and_then(|skybox| arguments.validation.check(&skybox)))];
+    if arguments.json {
+        print(format_args!("{}\n", check_json(&checks)));
+    }
+    let [(name, checked)] = checks;
+    match checked {
+        Ok(check) => {
+            if !arguments.json {
+                print(CheckReport::new(name, &check));
+            }
+            Ok(outcome(check.verdict, arguments.strict))
+        }
         // A damaged picture is a fault of the map like any other.
         Err(error) if error.is_damage() => {
             remark(format_args!("error: {error}\n"));
-            if arguments.json {
-                print(format_args!("{}\n", failed_check_json(&map.display().to_string(), &error)));
-            }
-            return Ok(Outcome::Faults);
+            Ok(Outcome::Faults)
         }
-        Err(error) => return Err(error),
-    };
-    let report = CheckReport::new(map.display().to_string(), &check);
-    if arguments.json {
-        print(format_args!("{}\n", report.to_json()));
-    } else {
-        print(&report);
+        Err(error) => Err(error),
     }
-    Ok(outcome(check.verdict, arguments.strict))
 }
 
 /// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one, and an archive
@@ -143,35 +143,29 @@ fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     maps
 }
 
-/// The number of maps per verdict.
-#[derive(Default)]
-struct Counts {
-    fits: usize,
-    broken: usize,
-    undecidable: usize,
-    failed: usize,
-    /// Of those that failed, how many because a picture is damaged.
-    damaged: usize,
-}
-
 fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome> {
-    let mut counts = Counts::default();
-    let mut entries = Vec::new();
+    let mut checks = Vec::new();
     for map in maps {
-        entries.push(check_one_of_several(map, arguments, &mut counts));
-        if !arguments.json {
-            print(format_args!("{}\n", entries[entries.len() - 1]));
+        let checked = Skybox::open_lenient(map).and_then(|skybox| arguments.validation.check(&skybox));
+        if let Err(error) = &checked {
+            remark(format_args!("error: {error}\n"));
         }
+        let check = (map.display().to_string(), checked);
+        if !arguments.json {
+            print(format_args!("{}\n", line(&check)));
+        }
+        checks.push(check);
     }
-    let Counts { fits, broken, undecidable, failed, damaged } = counts;
+    let Totals { fits, broken, undecidable, failed } = Totals::of(&checks);
     if arguments.json {
-        print(format_args!("[\n{}\n]\n", entries.join(",\n")));
+        print(format_args!("{}\n", check_json(&checks)));
     } else {
         let count = counted(maps.len());
         print(format_args!(
             "{count}: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked\n"
         ));
     }
+    let damaged = checks.iter().filter(|(_, checked)| checked.as_ref().is_err_and(Error::is_damage)).count();
     if failed > damaged {
         return Err(Error::new(format!("{failed} of {} could not be checked", counted(maps.len()))));
     }
@@ -184,30 +178,11 @@ fn counted(maps: usize) -> String {
     format!("{maps} map{}", if maps == 1 { "" } else { "s" })
 }
 
-/// The line of a map, or its JSON. What is wrong with a map that cannot be checked goes to stderr in full.
-fn check_one_of_several(map: &Path, arguments: &CheckArguments, counts: &mut Counts) -> String {
-    let name = map.display().to_string();
-    match Skybox::open_lenient(map).and_then(|skybox| arguments.validation.check(&skybox)) {
-        Ok(check) => {
-            match check.verdict {
-                Verdict::Fits => counts.fits += 1,
-                Verdict::Broken => counts.broken += 1,
-                Verdict::Undecidable => counts.undecidable += 1,
-            }
-            let report = CheckReport::new(name, &check);
-            if arguments.json { report.to_json() } else { report.line() }
-        }
-        Err(error) => {
-            counts.failed += 1;
-            counts.damaged += usize::from(error.is_damage());
-            remark(format_args!("error: {error}\n"));
-            let problem = error.problem().lines().next().unwrap_or_default();
-            if arguments.json {
-                failed_check_json(&name, &error)
-            } else {
-                format!("{name}: cannot be checked: {problem}")
-            }
-        }
+/// The line of one of several maps.
+fn line((name, checked): &MapCheck) -> String {
+    match checked {
+        Ok(check) => CheckReport::new(name.clone(), check).line(),
+        Err(error) => format!("{name}: cannot be checked: {}", error.problem().lines().next().unwrap_or_default()),
     }
 }
 

@@ -112,7 +112,7 @@ fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Re
             .in_file(image.name())
             .expected("a square picture"));
     }
-    let operation = fix.orientation.image_operation(check.lookup.v_origin());
+    let operation = fix.image_operation;
     let (bytes, extension) = operation.applied(&picture).encode_lossless()?;
     let alpha = if picture.header().alpha { ", without its alpha channel" } else { "" };
     let what = match fix.orientation {

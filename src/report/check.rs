@@ -1,6 +1,7 @@
 //! The report of `skycube check`, as text and as JSON.
 //!
-//! The JSON has these keys, in this order; numbers are rounded to the digits that are stable:
+//! The JSON has an entry for each map, and `totals`. An entry has these keys, in this order, or `{ map, error }`; numbers are
+//! rounded to the digits that are stable:
 //!
 //! ```text
 //! map, lookup
@@ -15,13 +16,18 @@
 
 use std::fmt;
 
-use crate::digits::rounded;
-use crate::envmap::{Lookup, Orientation};
+use serde::Serialize;
+
+use super::json::to_json;
+use crate::envmap::Orientation;
+use crate::error::Result;
 use crate::validate::{Check, FaceFix, Seam, Verdict};
 
 /// A check of a map, to be printed.
+#[derive(Serialize)]
 pub struct CheckReport<'a> {
     map: String,
+    #[serde(flatten)]
     check: &'a Check,
 }
 
@@ -29,11 +35,6 @@ impl<'a> CheckReport<'a> {
     /// The report on the map that the user calls `map`.
     pub fn new(map: String, check: &'a Check) -> Self {
         Self { map, check }
-    }
-
-    /// The report for machines.
-    pub fn to_json(&self) -> String {
-        serde_json::to_string_pretty(&Json::of(self)).expect("a report is plain data")
     }
 
     /// The report in one line: verdict, and what to do.
@@ -65,14 +66,53 @@ impl<'a> CheckReport<'a> {
     }
 }
 
-/// The entry of a map that could not be checked, among the reports on several.
-pub fn failed_check_json(map: &str, error: &crate::error::Error) -> String {
-    #[derive(serde::Serialize)]
-    struct Failed<'a> {
-        map: &'a str,
-        error: String,
+/// A map as the user calls it, and its check.
+pub type MapCheck = (String, Result<Check>);
+
+/// The number of maps per verdict.
+#[derive(Default, Serialize)]
+pub(crate) struct Totals {
+    pub fits: usize,
+    pub broken: usize,
+    pub undecidable: usize,
+    pub failed: usize,
+}
+
+impl Totals {
+    /// Counts the verdicts.
+    pub fn of(checks: &[MapCheck]) -> Self {
+        let mut totals = Self::default();
+        for (_, checked) in checks {
+            let count = match checked.as_ref().map(|check| check.verdict) {
+                Ok(Verdict::Fits) => &mut totals.fits,
+                Ok(Verdict::Broken) => &mut totals.broken,
+                Ok(Verdict::Undecidable) => &mut totals.undecidable,
+                Err(_) => &mut totals.failed,
+            };
+            *count += 1;
+        }
+        totals
     }
-    serde_json::to_string_pretty(&Failed { map, error: error.to_string() }).expect("plain data")
+}
+
+/// The report for machines, on one map or several.
+pub fn check_json(checks: &[MapCheck]) -> String {
+    #[derive(Serialize)]
+    struct Json<'a> {
+        maps: Vec<Entry<'a>>,
+        totals: Totals,
+    }
+    #[derive(Serialize)]
+    #[serde(untagged)]
+    enum Entry<'a> {
+        Checked(CheckReport<'a>),
+        Failed { map: &'a str, error: String },
+    }
+    let maps = checks.iter().map(|(map, checked)| match checked {
+        Ok(check) => Entry::Checked(CheckReport::new(map.clone(), check)),
+        Err(error) => Entry::Failed { map, error: error.to_string() },
+    });
+    to_json("check", &Json { maps: maps.collect(), totals: Totals::of(checks) })
 }
 
 /// The statements that change u, v to u', v', after those that compute u and v.
@@ -88,119 +128,6 @@ fn formulas(fix: &FaceFix) -> Vec<String> {
     let (u, v) = fix.orientation.formulas();
     let changed = [("u", u), ("v", v)].into_iter().filter(|(name, formula)| name != formula);
     changed.map(|(name, formula)| format!("{name}' = {formula}")).collect()
-}
-
-#[derive(serde::Serialize)]
-struct Json<'a> {
-    map: &'a str,
-    lookup: &'a str,
-    images: Vec<JsonImage<'a>>,
-    verdict: Verdict,
-    seams: Vec<JsonSeam>,
-    fix: JsonFix,
-    handedness: JsonHandedness,
-    notes: Vec<String>,
-}
-
-#[derive(serde::Serialize)]
-struct JsonImage<'a> {
-    face: &'static str,
-    file: &'a str,
-    width: usize,
-    height: usize,
-    format: crate::picture::Format,
-}
-
-#[derive(serde::Serialize)]
-struct JsonSeam {
-    edge: String,
-    step: f64,
-    detail: f64,
-    score: f64,
-    verdict: Verdict,
-}
-
-#[derive(serde::Serialize)]
-struct JsonFix {
-    faces: Vec<JsonFaceFix>,
-    /// What happened to the files, and other stories that are as short.
-    story: String,
-    also: Vec<String>,
-    changes: usize,
-    convention: Option<&'static str>,
-    margin: f64,
-    seams_after: Vec<JsonSeam>,
-    equivalents: usize,
-}
-
-#[derive(serde::Serialize)]
-struct JsonFaceFix {
-    face: &'static str,
-    image: &'static str,
-    u: &'static str,
-    v: &'static str,
-    image_operation: String,
-    decided: bool,
-}
-
-#[derive(serde::Serialize)]
-struct JsonHandedness {
-    mirrored: Vec<&'static str>,
-}
-
-impl<'a> Json<'a> {
-    fn of(report: &'a CheckReport<'a>) -> Self {
-        let check = report.check;
-        let images = check.images.iter().map(|image| JsonImage {
-            face: image.face.name(),
-            file: &image.file,
-            width: image.width,
-            height: image.height,
-            format: image.format,
-        });
-        Self {
-            map: &report.map,
-            lookup: &check.lookup_name,
-            images: images.collect(),
-            verdict: check.verdict,
-            seams: seams(&check.seams),
-            fix: JsonFix {
-                faces: check.fix.faces.iter().map(|fix| face_fix(fix, &check.lookup)).collect(),
-                story: check.fix.story.to_string(),
-                also: check.fix.also.iter().map(ToString::to_string).collect(),
-                changes: check.fix.changes,
-                convention: check.fix.convention().map(|convention| convention.name()),
-                margin: rounded(check.fix.margin, 1),
-                seams_after: seams(&check.fix.seams_after),
-                equivalents: check.fix.equivalents,
-            },
-            handedness: JsonHandedness { mirrored: check.mirrored.iter().map(|face| face.name()).collect() },
-            notes: check.notes.iter().map(ToString::to_string).collect(),
-        }
-    }
-}
-
-fn face_fix(fix: &FaceFix, lookup: &Lookup) -> JsonFaceFix {
-    let (u, v) = fix.orientation.formulas();
-    JsonFaceFix {
-        face: fix.face.name(),
-        image: fix.image.name(),
-        u,
-        v,
-        image_operation: fix.orientation.image_operation(lookup.v_origin()).name(),
-        decided: fix.decided,
-    }
-}
-
-fn seams(seams: &[Seam]) -> Vec<JsonSeam> {
-    let seam = |seam: &Seam| JsonSeam {
-        edge: seam.edge.name(),
-        step: rounded(seam.step, 2),
-        detail: rounded(seam.detail, 2),
-        score: rounded(seam.score, 2),
-        verdict: seam.verdict,
-    };
-    seams.iter().map(seam).collect()
 }
 
 /// The rotations and mirrorings of a cube.
@@ -295,7 +222,7 @@ impl CheckReport<'_> {
             file_change.push(format!("read {file} as {}", check.lookup.row(fix.face).image.name()));
         }
         if fix.orientation != Orientation::IDENTITY {
-            file_change.push(fix.orientation.image_operation(check.lookup.v_origin()).name());
+            file_change.push(fix.image_operation.name());
         }
         let doubt = if fix.decided { "" } else { " (undecided)" };
         writeln!(formatter, "    or the file: {}{doubt}", file_change.join(", "))

@@ -8,6 +8,7 @@ mod converge;
 mod drawing;
 mod grade;
 mod grouped;
+mod json;
 mod lessons;
 mod probe;
 mod render;
@@ -16,7 +17,7 @@ mod shots;
 mod stress;
 mod trace;
 
-pub use check::CheckReport;
+pub use check::{CheckReport, MapCheck, check_json};
 pub use compare::{CompareReport, Metric, draw_comparison};
 pub use converge::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
 pub use drawing::{Anchor, Drawing, draw_compass_face, text_path};
@@ -24,7 +25,7 @@ pub use grade::GradeReport;
 #[cfg(feature = "stress")]
 pub use stress::StressReport;
 
-pub(crate) use check::{failed_check_json, nothing_to_fix};
+pub(crate) use check::{Totals, nothing_to_fix};
 pub(crate) use code::{CodeLanguage, lookup_code};
 pub(crate) use drawing::{CaptionedShot, CrossInput, SeamMark, draw_contact_sheet, draw_cross};
 pub(crate) use lessons::{lesson_list, lesson_page, lesson_started};

@@ -4,6 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
+use super::json::to_json;
 use crate::colour::ToneMap;
 use crate::envmap::{CubeFilter, Face, Probe, SignedAxis, VOrigin};
 use crate::math::Vec3;
@@ -63,7 +64,7 @@ impl ProbeReport<'_> {
     /// The report for machines, with that after the fix in it.
     pub fn to_json(&self, after_fix: Option<&Self>) -> String {
         let after_fix = after_fix.map(|report| Box::new(report.json(None)));
-        serde_json::to_string_pretty(&self.json(after_fix)).expect("a report is plain data")
+        to_json("probe", &self.json(after_fix))
     }
 
     fn json<'b>(&'b self, after_fix: Option<Box<Json<'b>>>) -> Json<'b> {

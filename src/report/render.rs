@@ -7,6 +7,7 @@ use std::time::Duration;
 use serde::Serialize;
 
 use super::grouped::grouped;
+use super::json::to_json;
 use crate::choice::name_of;
 use crate::colour::Encoding;
 use crate::envmap::Face;
@@ -79,7 +80,7 @@ impl RenderReport {
 
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        serde_json::to_string_pretty(self).expect("a report is plain data")
+        to_json("render", self)
     }
 }
 

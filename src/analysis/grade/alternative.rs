@@ -20,12 +20,13 @@ pub enum Alternative {
 }
 
 /// Presets that the code may contain.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct PresetReading {
+    /// One, unless the pixels cannot tell several apart.
+    #[serde(rename = "names")]
+    pub presets: Vec<Preset>,
     /// How the camera stands then: right, or all six shots mirrored or turned alike.
     pub camera: CameraFault,
-    /// One, unless the pixels cannot tell several apart.
-    pub presets: Vec<Preset>,
 }
 
 /// Faces that must be decided before their lookup is called by a name.

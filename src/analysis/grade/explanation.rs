@@ -1,6 +1,8 @@
 //! What the shots say about camera and lookup. The same pictures may come from either: a camera is blamed if it leaves at
 //! most one face wrong, and at least three fewer than a right camera. [`super::alternative`] names the others.
 
+use serde::ser::{Serialize, SerializeStruct, Serializer};
+
 use super::misfit::Misfit;
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
 use crate::envmap::{Face, Lookup, Orientation};
@@ -60,6 +62,27 @@ impl FaceGrade {
     /// What to compute from the code's own (u, v).
     pub fn repair(&self) -> Option<Orientation> {
         self.placement().map(|placement| placement.orientation.inverse())
+    }
+}
+
+/// What was found, and the repair; keys are null where there is nothing to say.
+impl Serialize for FaceGrade {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let placement = self.placement();
+        let formulas = placement.map(|placement| placement.orientation.formulas());
+        let repair = self.repair().filter(|_| self.is_wrong());
+        let mut keys = serializer.serialize_struct("FaceGrade", 10)?;
+        keys.serialize_field("face", &self.face)?;
+        keys.serialize_field("shot", &self.shot)?;
+        keys.serialize_field("image", &placement.map(|placement| placement.image))?;
+        keys.serialize_field("u", &formulas.map(|(u, _)| u))?;
+        keys.serialize_field("v", &formulas.map(|(_, v)| v))?;
+        keys.serialize_field("decided", &self.is_decided())?;
+        keys.serialize_field("wrong", &self.is_wrong())?;
+        keys.serialize_field("possible", &self.possible.len())?;
+        keys.serialize_field("misfit", &self.misfit)?;
+        keys.serialize_field("repair", &repair.map(|orientation| Placement { image: self.expected, orientation }))?;
+        keys.end()
     }
 }
 

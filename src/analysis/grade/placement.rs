@@ -9,7 +9,9 @@
 //!          s = 0    s = 1
 //! ```
 
-use crate::envmap::{Face, FaceLookup, Lookup, Orientation, SignedAxis, VOrigin};
+use serde::{Serialize, Serializer};
+
+use crate::envmap::{Face, FaceLookup, ImageOperation, Lookup, Orientation, SignedAxis, VOrigin};
 
 /// How the camera of a shot should stand.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,11 +26,12 @@ pub struct ShotFrame {
 
 /// An image and how it is read: the texture coordinates (u', v') that code computes as functions of the (u, v) that the
 /// given lookup computes for the same face.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct Placement {
     /// The image, by its name.
     pub image: Face,
     /// (u', v') as functions of (u, v).
+    #[serde(flatten)]
     pub orientation: Orientation,
 }
 
@@ -90,11 +93,36 @@ impl CameraFault {
         self.axes != Self::NONE.axes
     }
 
+    /// The fault in one word.
+    fn name(self) -> &'static str {
+        let Orientation { swaps, inverts_u, inverts_v } = self.orientation;
+        match (swaps, inverts_u, inverts_v) {
+            _ if self.exchanges_axes() => "axes",
+            (false, false, false) => "none",
+            (false, false, true) => "upside_down",
+            (false, true, false) | (true, false, false) | (true, true, true) => "mirrored",
+            _ => "turned",
+        }
+    }
+
+    /// What it does to all six pictures.
+    pub fn image_operation(self) -> ImageOperation {
+        // In a shot t grows upwards.
+        self.orientation.image_operation(VOrigin::Bottom)
+    }
+
     /// The face that the shot of a frame shows, and that face's (u, v) as functions of the place in the shot.
     pub(super) fn sees(&self, lookup: &Lookup, frame: ShotFrame) -> (Face, Orientation) {
         let face = self.axis(frame.face.signed_axis()).face();
         let seen = on_screen(lookup.row(face), self.axis(frame.right), self.axis(frame.up));
         (face, seen.after(self.orientation))
+    }
+}
+
+/// By its name.
+impl Serialize for CameraFault {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(self.name())
     }
 }
 

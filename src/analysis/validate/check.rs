@@ -15,7 +15,7 @@ use super::solve::{Search, Solution, Unsettled};
 use super::thresholds::verdict::{TELLING_FACES, UNDECIDABLE_SEAMS, UNRELATED};
 use super::verdict::Verdict;
 use crate::envmap::source::Skybox;
-use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset};
+use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset, VOrigin};
 use crate::error::Result;
 use crate::parallel;
 use crate::picture::Picture;
@@ -55,11 +55,11 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     let outliers: Vec<Outlier> = solution.outlier.into_iter().collect();
     let outlying: Vec<Face> = outliers.iter().map(|outlier| outlier.face).collect();
     let seams = |arrangement: &Arrangement| seam::seams(&problem, &borders, arrangement, &found, &outlying);
-    let fix = fix_of(&solution, &given, seams(&found));
+    let fix = fix_of(&solution, &given, lookup.v_origin(), seams(&found));
     let mut check = Check {
-        images,
-        lookup,
         lookup_name: options.lookup_name.clone(),
+        lookup,
+        images,
         verdict: Verdict::Undecidable,
         seams: seams(&given),
         fix,
@@ -73,12 +73,13 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     Ok(check)
 }
 
-fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> Fix {
+fn fix_of(solution: &Solution, given: &Arrangement, v_origin: VOrigin, seams_after: Vec<Seam>) -> Fix {
     let found = &solution.arrangement;
     let faces = Face::ALL.map(|face| FaceFix {
         face,
         image: found.images[face.index()],
         orientation: found.orientation(face),
+        image_operation: found.orientation(face).image_operation(v_origin),
         decided: solution.is_decided(face),
     });
     let changed = |face: &Face| {
@@ -87,9 +88,10 @@ fn fix_of(solution: &Solution, given: &Arrangement, seams_after: Vec<Seam>) -> F
     };
     Fix {
         faces,
-        changes: Face::ALL.iter().filter(|face| changed(face)).count(),
         story: solution.story.clone(),
         also: solution.also.clone(),
+        changes: Face::ALL.iter().filter(|face| changed(face)).count(),
+        convention: solution.story.order,
         margin: solution.margin,
         seams_after,
         equivalents: solution.equivalents,

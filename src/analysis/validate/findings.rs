@@ -1,5 +1,7 @@
 //! What a check finds: facts, seams, verdict, fix and notes of one map.
 
+use serde::{Serialize, Serializer};
+
 use super::note::Note;
 use super::outlier::Outlier;
 use super::seam::Seam;
@@ -7,12 +9,13 @@ use super::search::arrangement::Arrangement;
 use super::search::convention::Convention;
 use super::story::Story;
 use super::verdict::Verdict;
+use crate::digits::digits;
 use crate::envmap::source::Skybox;
-use crate::envmap::{Face, Lookup, Orientation};
+use crate::envmap::{Face, ImageOperation, Lookup, Orientation};
 use crate::picture::Format;
 
 /// An image as the report lists it.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
 pub struct ImageFacts {
     /// The name of the image.
     pub face: Face,
@@ -25,6 +28,7 @@ pub struct ImageFacts {
     /// The format of the file.
     pub format: Format,
     /// True if the file has an alpha channel, which is ignored.
+    #[serde(skip)]
     pub alpha: bool,
 }
 
@@ -48,14 +52,16 @@ impl ImageFacts {
 }
 
 /// The report on one map.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Serialize)]
 pub struct Check {
+    /// The name of the table: a preset or a file.
+    #[serde(rename = "lookup")]
+    pub lookup_name: String,
+    /// The table that was checked.
+    #[serde(skip)]
+    pub lookup: Lookup,
     /// In the order of [`Face::ALL`].
     pub images: Vec<ImageFacts>,
-    /// The table that was checked.
-    pub lookup: Lookup,
-    /// The name of the table: a preset or a file.
-    pub lookup_name: String,
     /// The worst of what was found.
     pub verdict: Verdict,
     /// The twelve seams as they are.
@@ -63,25 +69,30 @@ pub struct Check {
     /// The repair; it changes nothing if the map is right.
     pub fix: Fix,
     /// Faces whose image belongs to no place in this map.
+    #[serde(skip)]
     pub outliers: Vec<Outlier>,
     /// The faces that the given lookup shows mirrored in a right-handed world.
+    #[serde(rename = "handedness", serialize_with = "handedness")]
     pub mirrored: Vec<Face>,
     /// What the report says beside the verdict.
     pub notes: Vec<Note>,
 }
 
 /// What to change.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Fix {
     /// In the order of [`Face::ALL`].
     pub faces: [FaceFix; 6],
-    /// Faces that change.
-    pub changes: usize,
     /// What happened to the files.
     pub story: Story,
     /// Other stories that are as short and close the seams as well.
     pub also: Vec<Story>,
+    /// Faces that change.
+    pub changes: usize,
+    /// The known order that these files follow, if the story names one.
+    pub convention: Option<Convention>,
     /// The standard errors by which the next essentially different orientation is worse; 0 if none is.
+    #[serde(serialize_with = "digits::<1, _>")]
     pub margin: f64,
     /// The twelve seams after the fix.
     pub seams_after: Vec<Seam>,
@@ -90,14 +101,17 @@ pub struct Fix {
 }
 
 /// What to change at one face.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 pub struct FaceFix {
     /// The face that reads the image.
     pub face: Face,
     /// The image that the face should read.
     pub image: Face,
     /// (u', v') as functions of the (u, v) that the given lookup computes.
+    #[serde(flatten)]
     pub orientation: Orientation,
+    /// The operation on the file that does the same.
+    pub image_operation: ImageOperation,
     /// True if the pixels decide this orientation: every other one is decisively worse.
     pub decided: bool,
 }
@@ -124,12 +138,12 @@ impl Check {
     }
 }
 
-impl Fix {
-    /// The known order that these files follow, if the story names one.
-    pub fn convention(&self) -> Option<Convention> {
-        self.story.order
-    }
+/// The mirrored faces, in an object that has room for more.
+fn handedness<S: Serializer>(mirrored: &[Face], serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.collect_map([("mirrored", mirrored)])
+}
 
+impl Fix {
     /// The corrected lookup.
     pub fn lookup(&self, given: &Lookup) -> Lookup {
         self.arrangement().corrected(given)

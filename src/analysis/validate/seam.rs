@@ -5,18 +5,22 @@ use super::borders::edge::{Border, Edge};
 use super::search::arrangement::{Arrangement, Problem};
 use super::thresholds::seam::{BROKEN_COST, BROKEN_FACTOR, LEAST_DETAIL, UNDECIDED};
 use super::verdict::Verdict;
+use crate::digits::digits;
 
 /// One edge under one lookup.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Seam {
     /// The two faces that meet there.
     pub edge: Edge,
     /// Mean absolute difference across the seam, of 255 display units, over texels and channels.
+    #[serde(serialize_with = "digits::<2, _>")]
     pub step: f64,
     /// The same from texel to texel, one and two texels inside both faces.
+    #[serde(serialize_with = "digits::<2, _>")]
     pub detail: f64,
     /// How many times larger the step is than the detail: `step / max(detail, 0.5)`. About 1 where two faces continue
     /// each other.
+    #[serde(serialize_with = "digits::<2, _>")]
     pub score: f64,
     /// What the step means.
     pub verdict: Verdict,

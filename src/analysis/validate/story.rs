@@ -161,6 +161,13 @@ impl fmt::Display for Story {
     }
 }
 
+/// As its sentence.
+impl serde::Serialize for Story {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 /// What to exchange, and who mixes these two up.
 fn exchange(ring: &[Face]) -> String {
     let names: Vec<&str> = ring.iter().map(|face| face.name()).collect();

@@ -1,8 +1,8 @@
 //! Your picture, the expected one and a heat map of the difference, side by side.
 
-use tiny_skia::{Color, IntSize, Pixmap};
+use tiny_skia::{Color, Pixmap};
 
-use super::super::drawing::{Anchor, Canvas, Drawing, blank, dark, displayed};
+use super::super::drawing::{Anchor, Canvas, Drawing, blank, dark, displayed, ground, pixmap_of};
 use crate::colour::{ToneMap, magma_bytes};
 use crate::compare::{Comparison, Region, View};
 use crate::metrics::Plane;
@@ -92,13 +92,8 @@ fn draw_legend(width: usize) -> Drawing {
     Drawing(pixmap)
 }
 
-fn ground() -> Color {
-    Color::from_rgba8(246, 245, 242, 255)
-}
-
 fn heat_map(plane: &Plane) -> Pixmap {
-    let size = IntSize::from_wh(plane.width() as u32, plane.height() as u32).expect("a plane has pixels");
-    Pixmap::from_vec(magma_bytes(plane.values()), size).expect("four bytes per pixel")
+    pixmap_of(magma_bytes(plane.values()), [plane.width(), plane.height()])
 }
 
 #[cfg(test)]

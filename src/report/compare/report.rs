@@ -18,6 +18,7 @@ use std::fmt;
 use clap::ValueEnum;
 use serde::Serialize;
 
+use super::super::json::to_json;
 use crate::compare::{Comparison, Finding, Region, Verdict};
 use crate::digits::digits;
 use crate::metrics::Metrics;
@@ -102,7 +103,7 @@ impl CompareReport<'_> {
             metrics: Both { before: before.metrics, after: after.as_ref().map(|view| view.metrics) },
             worst_region: worst,
         };
-        serde_json::to_string_pretty(&report).expect("a report is plain data")
+        to_json("compare", &report)
     }
 
     fn verdict_line(&self) -> String {

@@ -5,6 +5,7 @@ use std::fmt;
 use serde_json::{Value, json};
 
 use super::super::grouped::grouped;
+use super::super::json::to_json;
 use crate::converge::{Bias, Convergence, Curve, ReferenceFacts, Step};
 
 /// The report of `skycube converge`.
@@ -33,8 +34,7 @@ impl ConvergeReport {
     /// The report for machines.
     pub fn to_json(&self) -> String {
         let scenes: Vec<Value> = self.scenes.iter().map(ConvergedScene::to_json).collect();
-        let report = json!({ "stopped": self.stopped, "scenes": scenes });
-        serde_json::to_string_pretty(&report).expect("a report is plain data")
+        to_json("converge", &json!({ "stopped": self.stopped, "scenes": scenes }))
     }
 }
 

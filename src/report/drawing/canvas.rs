@@ -29,12 +29,7 @@ impl<'a> Canvas<'a> {
     /// A line of text, white with a dark rim, readable on every colour; turned clockwise by `turn` degrees (multiples
     /// of 90) about its anchor.
     pub fn text(&mut self, text: &str, size: f32, position: (f32, f32), turn: f32, anchor: Anchor) {
-        self.text_placed(text, size, anchor, quarter_turn(turn).post_translate(position.0, position.1));
-    }
-
-    /// A line of text whose anchor a transform carries to its place.
-    pub fn text_placed(&mut self, text: &str, size: f32, anchor: Anchor, place: Transform) {
-        if let Some(path) = text_path(text, size, anchor).and_then(|path| path.transform(place)) {
+        if let Some(path) = placed_text(text, size, position, turn, anchor) {
             self.rimmed(&path, 2.0 + size / 24.0, Color::WHITE);
         }
     }
@@ -45,9 +40,8 @@ impl<'a> Canvas<'a> {
     }
 
     /// The same, turned clockwise by `turn` degrees (multiples of 90) about its anchor.
-    pub fn turned_text(&mut self, text: &str, size: f32, (x, y): (f32, f32), turn: f32, anchor: Anchor, colour: Color) {
-        let place = quarter_turn(turn).post_translate(x, y);
-        if let Some(path) = text_path(text, size, anchor).and_then(|path| path.transform(place)) {
+    pub fn turned_text(&mut self, text: &str, size: f32, place: (f32, f32), turn: f32, anchor: Anchor, colour: Color) {
+        if let Some(path) = placed_text(text, size, place, turn, anchor) {
             self.pixmap.fill_path(&path, &paint(colour), FillRule::Winding, self.scale, None);
         }
     }
@@ -123,6 +117,16 @@ impl<'a> Canvas<'a> {
     }
 }
 
+/// The outline of a text, turned about its anchor.
+fn placed_text(text: &str, size: f32, (x, y): (f32, f32), turn: f32, anchor: Anchor) -> Option<Path> {
+    text_path(text, size, anchor)?.transform(quarter_turn(turn).post_translate(x, y))
+}
+
+/// The light ground of drawings.
+pub(in crate::report) fn ground() -> Color {
+    Color::from_rgba8(246, 245, 242, 255)
+}
+
 /// A pixmap of one colour.
 pub(in crate::report) fn blank(width: usize, height: usize, colour: Color) -> Pixmap {
     let mut pixmap = Pixmap::new(width as u32, height as u32).expect("a drawing has pixels");
@@ -132,12 +136,17 @@ pub(in crate::report) fn blank(width: usize, height: usize, colour: Color) -> Pi
 
 /// A raster as it is displayed.
 pub(in crate::report) fn displayed(raster: &Raster, tone_map: ToneMap) -> Pixmap {
-    let size = IntSize::from_wh(raster.width() as u32, raster.height() as u32).expect("a raster has pixels");
-    Pixmap::from_vec(display_bytes(raster, tone_map), size).expect("four bytes per pixel")
+    pixmap_of(display_bytes(raster, tone_map), [raster.width(), raster.height()])
+}
+
+/// A pixmap of this width and height, from four bytes per pixel.
+pub(in crate::report) fn pixmap_of(bytes: Vec<u8>, [width, height]: [usize; 2]) -> Pixmap {
+    let size = IntSize::from_wh(width as u32, height as u32).expect("a picture has pixels");
+    Pixmap::from_vec(bytes, size).expect("four bytes per pixel")
 }
 
 /// A turn clockwise by a multiple of 90 degrees about the origin, exact (y points down).
-pub(in crate::report) fn quarter_turn(degrees: f32) -> Transform {
+fn quarter_turn(degrees: f32) -> Transform {
     match degrees {
         90.0 => Transform::from_row(0.0, 1.0, -1.0, 0.0, 0.0, 0.0),
         180.0 => Transform::from_row(-1.0, 0.0, 0.0, -1.0, 0.0, 0.0),

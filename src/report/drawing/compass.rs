@@ -17,9 +17,9 @@
 //!   +---------------------------+
 //! ```
 
-use tiny_skia::{Color, IntSize, Pixmap, PixmapMut, Transform};
+use tiny_skia::{Color, Pixmap, PixmapMut};
 
-use super::canvas::{Canvas, quarter_turn};
+use super::canvas::{Canvas, pixmap_of};
 use super::text_drawing::Anchor;
 use crate::envmap::{Face, Preset};
 use crate::math::Vec3;
@@ -110,8 +110,7 @@ fn draw_background(frame: &FaceFrame, size: usize) -> Pixmap {
             bytes.push(255);
         }
     }
-    let width = IntSize::from_wh(size as u32, size as u32).expect("a face has texels");
-    Pixmap::from_vec(bytes, width).expect("four bytes a texel")
+    pixmap_of(bytes, [size, size])
 }
 
 fn background_colour(frame: &FaceFrame, s: f32, t: f32) -> Vec3 {
@@ -221,11 +220,17 @@ fn draw_names(canvas: &mut Canvas, frame: &FaceFrame) {
 
 /// At each border the name of the face across it, its head towards the border.
 fn draw_neighbours(canvas: &mut Canvas, frame: &FaceFrame) {
-    let sides =
-        [(opposite(frame.below), 0.0), (frame.right, 90.0), (frame.below, 180.0), (opposite(frame.right), 270.0)];
-    for (neighbour, turn) in sides {
+    const DEPTH: f32 = 92.0;
+    let (middle, far) = (0.5 * LAYOUT, LAYOUT - DEPTH);
+    let sides = [
+        (opposite(frame.below), (middle, DEPTH), 0.0),
+        (frame.right, (far, middle), 90.0),
+        (frame.below, (middle, far), 180.0),
+        (opposite(frame.right), (DEPTH, middle), 270.0),
+    ];
+    for (neighbour, baseline, turn) in sides {
         let label = format!("{} {}", neighbour.signed_name().to_uppercase(), neighbour.name());
-        draw_text_towards_border(canvas, &label, 26.0, 92.0, turn);
+        canvas.text(&label, 26.0, baseline, turn, Anchor::Middle);
     }
 }
 
@@ -235,12 +240,4 @@ fn draw_arrows(canvas: &mut Canvas) {
     canvas.text("u", 44.0, (376.0, 389.0), 0.0, Anchor::Start);
     canvas.arrow((134.0, 150.0), (134.0, 336.0), 1.0, Color::WHITE);
     canvas.text("v", 44.0, (134.0, 372.0), 0.0, Anchor::Middle);
-}
-
-/// Text along the upper border, its baseline `depth` below it, turned with the whole face to another border.
-fn draw_text_towards_border(canvas: &mut Canvas, text: &str, size: f32, depth: f32, turn: f32) {
-    let middle = 0.5 * LAYOUT;
-    let from_middle = quarter_turn(turn).post_translate(middle, middle);
-    let place = Transform::from_translate(0.0, depth - middle).post_concat(from_middle);
-    canvas.text_placed(text, size, Anchor::Middle, place);
 }

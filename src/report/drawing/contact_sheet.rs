@@ -1,8 +1,8 @@
 //! The contact sheet of the six axis shots.
 
-use tiny_skia::{Color, Pixmap};
+use tiny_skia::Pixmap;
 
-use super::canvas::{Canvas, blank, displayed};
+use super::canvas::{Canvas, blank, displayed, ground};
 use super::finished::Drawing;
 use crate::colour::ToneMap;
 use crate::picture::Raster;
@@ -40,7 +40,7 @@ pub fn draw_contact_sheet(shots: &[CaptionedShot; 6], heading: &str, foot: &str,
     let pixels = |units: f32| (units * scale).round() as usize;
     let (step_x, step_y) = (PICTURE + MARGIN, PICTURE + CAPTION + MARGIN);
     let (width, height) = (MARGIN + 3.0 * step_x, HEADING + 2.0 * step_y + FOOT);
-    let mut pixmap = blank(pixels(width), pixels(height), Color::from_rgba8(246, 245, 242, 255));
+    let mut pixmap = blank(pixels(width), pixels(height), ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), scale);
     canvas.fitted_text(heading, 26.0, (MARGIN, 42.0), width - 2.0 * MARGIN);
     canvas.fitted_text(foot, 18.0, (MARGIN, height - 24.0), width - 2.0 * MARGIN);

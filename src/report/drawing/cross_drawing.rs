@@ -2,7 +2,7 @@
 
 use tiny_skia::Color;
 
-use super::canvas::{Canvas, blank, dark, displayed};
+use super::canvas::{Canvas, blank, dark, displayed, ground};
 use super::cross_layout::{CrossCell, CrossEdge, CrossLayout};
 use super::finished::Drawing;
 use super::seam_mark::{SeamMark, verdict_colour};
@@ -38,7 +38,7 @@ pub fn draw_cross(input: &CrossInput) -> Drawing {
     let scale = input.cell as f32 / CELL;
     let margin = (MARGIN * scale).round() as usize;
     let [width, height] = [4, 3].map(|cells| cells * input.cell + 2 * margin);
-    let mut pixmap = blank(width, height, Color::from_rgba8(246, 245, 242, 255));
+    let mut pixmap = blank(width, height, ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), scale);
     let views = parallel::map(&layout.cells, |cell| cell.shot.of_map(input.map, input.cell));
     for (cell, view) in layout.cells.iter().zip(&views) {

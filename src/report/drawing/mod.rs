@@ -9,7 +9,7 @@ mod finished;
 mod seam_mark;
 mod text_drawing;
 
-pub(super) use canvas::{Canvas, blank, dark, displayed};
+pub(super) use canvas::{Canvas, blank, dark, displayed, ground, pixmap_of};
 pub use compass::draw_compass_face;
 pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
 pub use cross_drawing::{CrossInput, draw_cross};

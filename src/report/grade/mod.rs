@@ -1,6 +1,5 @@
 //! The report of `skycube grade`.
 
-mod json;
 mod report;
 mod sentences;
 

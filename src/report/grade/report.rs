@@ -3,12 +3,15 @@
 
 use std::fmt;
 
-use super::json::Json;
+use serde::Serialize;
+
+use super::super::json::to_json;
 use super::sentences::{
     DIVISION, cause, describe, faces, other_explanation, other_up, out_of_range, preset, repair, undecided,
 };
-use crate::envmap::{Lookup, SignedAxis, VOrigin};
-use crate::grade::{CameraFault, Cause, FaceGrade, Grade, GradeVerdict, Misfit, ShotFrame, other_ups};
+use crate::digits::rounded;
+use crate::envmap::{ImageOperation, Lookup, SignedAxis, VOrigin};
+use crate::grade::{CameraFault, Cause, FaceGrade, Grade, GradeVerdict, Misfit, PresetReading, ShotFrame, other_ups};
 use crate::render::AxisShot;
 
 /// A grade and the names of what was graded.
@@ -28,6 +31,37 @@ pub struct GradeReport<'a> {
     pub world_up: SignedAxis,
 }
 
+/// The report for machines.
+#[derive(Serialize)]
+struct Json<'a> {
+    verdict: GradeVerdict,
+    map: &'a str,
+    lookup: &'a str,
+    world_up: SignedAxis,
+    camera: JsonCamera,
+    /// True if the code does not divide by the largest component.
+    undivided: bool,
+    faces: &'a [FaceGrade; 6],
+    /// What the code contains, if that is another preset.
+    preset: &'a Option<PresetReading>,
+    /// The slips that explain the shots, the likeliest first.
+    causes: Vec<String>,
+    notes: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct JsonCamera {
+    right: bool,
+    /// `none`, `mirrored`, `upside_down`, `turned` or `axes`.
+    fault: CameraFault,
+    /// What was done to all six pictures: `none`, `flip left-right`, ...
+    image_operation: ImageOperation,
+    /// Degrees.
+    field_of_view: f64,
+    /// What it takes for +x, +y and +z.
+    axes: [SignedAxis; 3],
+}
+
 impl GradeReport<'_> {
     fn v_origin(&self) -> VOrigin {
         self.table.v_origin()
@@ -39,10 +73,27 @@ impl GradeReport<'_> {
 
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        let causes: Vec<String> = self.causes().into_iter().map(|one| cause(one, self.v_origin())).collect();
-        let (world_up, notes) = (self.world_up.to_string(), self.notes());
-        let json = Json::new(self.grade, [self.map, self.lookup], world_up, [&causes, &notes]);
-        serde_json::to_string_pretty(&json).expect("a report is plain data")
+        let Grade { camera, field_of_view, undivided, faces, preset, .. } = self.grade;
+        let json = Json {
+            verdict: self.grade.verdict(),
+            map: self.map,
+            lookup: self.lookup,
+            world_up: self.world_up,
+            camera: JsonCamera {
+                right: *camera == CameraFault::NONE && field_of_view.is_none(),
+                fault: *camera,
+                image_operation: camera.image_operation(),
+                // A tenth of a degree is more than can be known.
+                field_of_view: field_of_view.map_or(90.0, |angle| rounded(angle, 1)),
+                axes: camera.axes,
+            },
+            undivided: *undivided,
+            faces,
+            preset,
+            causes: self.causes().into_iter().map(|one| cause(one, self.v_origin())).collect(),
+            notes: self.notes(),
+        };
+        to_json("grade", &json)
     }
 
     /// The verdict as a sentence.

@@ -1,6 +1,5 @@
 //! The faults of cameras and lookups in plain sentences, for the report of `skycube grade`.
 
-use super::json::screen_operation;
 use crate::envmap::{Face, ImageOperation, Orientation, Preset, SignedAxis, VOrigin};
 use crate::grade::{Alternative, CameraFault, Cause, FaceGrade, Misfit, PresetReading};
 
@@ -80,16 +79,14 @@ pub(super) fn describe(camera: CameraFault) -> String {
         let [x, y, z] = camera.axes;
         let turned = match camera.orientation {
             Orientation::IDENTITY => String::new(),
-            orientation => {
-                format!(", and every picture has another orientation ({})", screen_operation(orientation).name())
-            }
+            _ => format!(", and every picture has another orientation ({})", camera.image_operation().name()),
         };
         return format!(
             "the axes are exchanged: your camera looks along {x} for +x, {y} for +y, {z} for +z{turned}; or the shots \
              are named after other axes"
         );
     }
-    format!("all six are {}", placed_by(screen_operation(camera.orientation)))
+    format!("all six are {}", placed_by(camera.image_operation()))
 }
 
 /// The wrong formulas that give every picture this orientation.
@@ -260,12 +257,13 @@ mod tests {
     /// What a shot shows whose camera has these vectors, where `right` and `top` are those of a right one.
     fn operation([right, top]: [DVec3; 2], [wrong_right, wrong_top]: [DVec3; 2]) -> ImageOperation {
         let component = |axis: DVec3, s: f64, t: f64| (wrong_right * s + wrong_top * t).dot(axis);
-        let leads = |orientation: &&Orientation| {
+        let leads = |orientation: &Orientation| {
             let (u, v) = orientation.apply(0.7, 0.8);
             let place = |axis| (component(axis, 0.4, 0.6) + 1.0) / 2.0;
             (f64::from(u) - place(right)).abs() + (f64::from(v) - place(top)).abs() < 1e-6
         };
-        screen_operation(*Orientation::ALL.iter().find(leads).expect("the vectors are exchanged or turned round"))
+        let orientation = Orientation::ALL.into_iter().find(leads).expect("the vectors are exchanged or turned round");
+        CameraFault { orientation, ..CameraFault::NONE }.image_operation()
     }
 
     #[test]

@@ -17,6 +17,7 @@ use std::fmt::{self, Write};
 use clap::ValueEnum;
 use serde_json::{Value, json};
 
+use super::super::json::to_json;
 use crate::limits::Range;
 use crate::stress::{Case, Effort, Group, Verdict};
 
@@ -41,9 +42,9 @@ const INPUT_WIDTH: usize = 24;
 
 impl StressReport<'_> {
     /// The report for machines.
-    pub fn to_json(&self) -> Value {
+    pub fn to_json(&self) -> String {
         let cases: Vec<Value> = self.cases.iter().map(case_json).collect();
-        json!({ "rays": self.effort.rays, "cases": cases })
+        to_json("stress", &json!({ "rays": self.effort.rays, "cases": cases }))
     }
 
     fn write_steps(&self, formatter: &mut fmt::Formatter<'_>, case: &Case) -> fmt::Result {

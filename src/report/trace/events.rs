@@ -2,7 +2,7 @@
 
 use crate::choice::name_of;
 use crate::envmap::{Probe, VOrigin};
-use crate::integrators::{LightOutcome, RayKind};
+use crate::integrators::LightOutcome;
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::math::functions::arccos;
@@ -26,15 +26,6 @@ pub(super) fn vector(vector: DVec3) -> String {
 /// The angle of a cosine in degrees.
 pub(super) fn degrees(cosine: f64) -> f64 {
     arccos(cosine.clamp(-1.0, 1.0)) * 180.0 / std::f64::consts::PI
-}
-
-pub(super) fn ray_name(kind: RayKind) -> &'static str {
-    match kind {
-        RayKind::Camera => "camera ray",
-        RayKind::Reflected => "reflected ray",
-        RayKind::Refracted => "refracted ray",
-        RayKind::Scattered => "scattered ray",
-    }
 }
 
 /// `shape 2 (sphere)`, counted from 1 as they stand in the scene file.

@@ -2,10 +2,11 @@
 
 use serde_json::{Value, json};
 
-use super::events::{blocker, degrees, geometry_name, light_kind, material_kind, probe, ray_name};
+use super::events::{blocker, degrees, geometry_name, light_kind, material_kind, probe};
 use crate::PixelTrace;
+use crate::envmap::{Probe, ProbedTexel};
 use crate::integrators::{Event, LightOutcome};
-use crate::math::{DVec3, Side, Vec3};
+use crate::math::Side;
 use crate::scene::{IntegratorKind, Scene};
 
 /// The whole report.
@@ -15,7 +16,7 @@ pub(super) fn report(file: &str, integrator: IntegratorKind, scene: &Scene, trac
         .iter()
         .map(|sample| {
             let place = sample.place;
-            json!({ "place": [place.across, place.down], "weight": place.weight, "radiance": colour(sample.radiance) })
+            json!({ "place": [place.across, place.down], "weight": place.weight, "radiance": sample.radiance })
         })
         .collect();
     json!({
@@ -25,7 +26,7 @@ pub(super) fn report(file: &str, integrator: IntegratorKind, scene: &Scene, trac
         "sample": trace.shown,
         "rays": nested(scene, &mut trace.events.iter()),
         "samples": samples,
-        "colour": colour(trace.colour),
+        "colour": trace.colour,
     })
 }
 
@@ -34,16 +35,15 @@ fn nested<'a>(scene: &Scene, events: &mut impl Iterator<Item = &'a Event>) -> Ve
     let mut values = Vec::new();
     while let Some(event) = events.next() {
         match event {
-            Event::Ray { kind, ray, factor } => {
-                let inside = nested(scene, events);
-                values.push(json!({
-                    "event": "ray", "kind": ray_name(*kind), "origin": vector(ray.origin),
-                    "direction": vector(ray.direction), "factor": colour(*factor), "events": inside,
-                }));
-            }
-            Event::End { radiance } => {
-                values.extend(radiance.map(|radiance| json!({ "event": "end", "radiance": colour(radiance) })));
+            Event::End { radiance: None } => return values,
+            Event::End { .. } => {
+                values.push(json!(event));
                 return values;
+            }
+            Event::Ray { .. } => {
+                let mut value = json!(event);
+                value["events"] = json!(nested(scene, events));
+                values.push(value);
             }
             _ => values.push(value(scene, event)),
         }
@@ -51,66 +51,49 @@ fn nested<'a>(scene: &Scene, events: &mut impl Iterator<Item = &'a Event>) -> Ve
     values
 }
 
-fn colour(colour: Vec3) -> [f32; 3] {
-    colour.to_array()
-}
-
-fn vector(vector: DVec3) -> [f64; 3] {
-    vector.to_array()
-}
-
+/// The numbers of an event, with the names that the scene has for them.
 fn value(scene: &Scene, event: &Event) -> Value {
+    let mut value = json!(event);
+    let mut add = |key: &str, added: Value| value[key] = added;
     match *event {
-        Event::Missed { direction, environment, transmittance } => missed(scene, direction, environment, transmittance),
-        Event::Hit { surface, side, shading_normal, distance, cosine, transmittance } => json!({
-            "event": "hit",
-            "shape": surface.id.shape + 1,
-            "kind": geometry_name(scene, surface.id.shape),
-            "material": scene.material_names.get(surface.material as usize),
-            "material_kind": material_kind(scene, surface.material),
-            "side": if side == Side::Front { "outside" } else { "inside" },
-            "position": vector(surface.position),
-            "normal": vector(shading_normal),
-            "distance": distance,
-            "degrees": degrees(cosine),
-            "transmittance": colour(transmittance),
-        }),
-        Event::Own { what, colour: shown } => json!({ "event": "own", "what": what, "colour": colour(shown) }),
-        Event::Light { number, outcome } => light(scene, number, outcome),
-        Event::SampledLight { ray, density, weight, radiance } => json!({
-            "event": "sampled_light", "direction": vector(ray.direction), "density": density, "weight": weight,
-            "blocked": radiance.is_none(), "radiance": radiance.map(colour),
-        }),
-        Event::Added { what, weight, contribution } => {
-            json!({ "event": "added", "what": what, "weight": weight, "contribution": colour(contribution) })
+        Event::Missed { direction, .. } => add("lookup", json!(probe(scene, direction).map(|it| lookup(scene, &it)))),
+        Event::Hit { surface, side, cosine, .. } => {
+            add("shape", json!(surface.id.shape + 1));
+            add("kind", json!(geometry_name(scene, surface.id.shape)));
+            add("material", json!(scene.material_names.get(surface.material as usize)));
+            add("material_kind", json!(material_kind(scene, surface.material)));
+            add("side", json!(if side == Side::Front { "outside" } else { "inside" }));
+            add("position", json!(surface.position));
+            add("degrees", json!(degrees(cosine)));
         }
-        Event::Survived { probability } => json!({ "event": "survived", "probability": probability }),
-        _ => branch(event),
+        Event::Light { number, outcome } => return light(scene, number, outcome),
+        Event::SampledLight { ray, radiance, .. } => {
+            add("direction", json!(ray.direction));
+            add("blocked", json!(radiance.is_none()));
+        }
+        Event::Fresnel { reflectance, cos_transmitted, .. } => {
+            add("refracted", json!(1.0 - reflectance));
+            add("degrees", json!(cos_transmitted.map(degrees)));
+        }
+        _ => (),
     }
+    value
 }
 
-fn missed(scene: &Scene, direction: DVec3, environment: Vec3, transmittance: Vec3) -> Value {
-    let lookup = probe(scene, direction).map(|probe| {
-        let texels: Vec<Value> = probe
-            .texels
-            .iter()
-            .map(|texel| {
-                let place = texel.place;
-                json!({
-                    "image": place.map(|place| place.image), "column": place.map(|place| place.column),
-                    "row": place.map(|place| place.row), "weight": texel.weight, "linear": colour(texel.colour),
-                })
-            })
-            .collect();
+/// What a lookup goes through.
+fn lookup(scene: &Scene, probe: &Probe) -> Value {
+    let texel = |texel: &ProbedTexel| {
+        let place = texel.place;
         json!({
-            "face": probe.point.face, "image": probe.row.image, "u_axis": probe.row.u.to_string(),
-            "v_axis": probe.row.v.to_string(), "u": probe.point.u, "v": probe.point.v, "position": probe.position,
-            "texels": texels, "linear": colour(probe.colour), "scale": scene.environment.scale,
+            "image": place.map(|place| place.image), "column": place.map(|place| place.column),
+            "row": place.map(|place| place.row), "weight": texel.weight, "linear": texel.colour,
         })
-    });
+    };
     json!({
-        "event": "missed", "direction": vector(direction), "environment": colour(environment),
-        "transmittance": colour(transmittance), "lookup": lookup,
+        "face": probe.point.face, "image": probe.row.image, "u_axis": probe.row.u, "v_axis": probe.row.v,
+        "u": probe.point.u, "v": probe.point.v, "position": probe.position,
+        "texels": probe.texels.iter().map(texel).collect::<Vec<_>>(), "linear": probe.colour,
+        "scale": scene.environment.scale,
     })
 }
 
@@ -124,26 +107,7 @@ fn light(scene: &Scene, number: usize, outcome: LightOutcome) -> Value {
     };
     json!({
         "event": "light", "light": number + 1, "kind": light_kind(scene, number), "result": result,
-        "direction": direction.map(|ray| vector(ray.direction)), "blocked_by": blocked_by.map(|shape| shape + 1),
-        "contribution": contribution.map(colour),
+        "direction": direction.map(|ray| ray.direction), "blocked_by": blocked_by.map(|shape| shape + 1),
+        "contribution": contribution,
     })
-}
-
-/// How a ray is sent on, or not.
-fn branch(event: &Event) -> Value {
-    match *event {
-        Event::Fresnel { index_before, index_beyond, reflectance, cos_transmitted } => json!({
-            "event": "fresnel", "index_before": index_before, "index_beyond": index_beyond, "reflected": reflectance,
-            "refracted": 1.0 - reflectance, "degrees": cos_transmitted.map(degrees),
-        }),
-        Event::CutByDepth { kind, depth } => json!({ "event": "cut_by_depth", "kind": ray_name(kind), "depth": depth }),
-        Event::CutByWeight { kind, weight } => {
-            json!({ "event": "cut_by_weight", "kind": ray_name(kind), "weight": weight })
-        }
-        Event::Scattered { specular, transmitted, density, weight } => json!({
-            "event": "scattered", "specular": specular, "transmitted": transmitted, "density": density,
-            "weight": colour(weight),
-        }),
-        _ => json!({ "event": "nothing" }),
-    }
 }

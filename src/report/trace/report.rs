@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::events::{colour, environment, hit, length, light, ray_name, shape_name, vector};
+use super::super::json::to_json;
+use super::events::{colour, environment, hit, length, light, shape_name, vector};
 use super::json;
 use crate::PixelTrace;
 use crate::choice::name_of;
@@ -27,8 +28,7 @@ pub struct TraceReport<'a> {
 impl TraceReport<'_> {
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        serde_json::to_string_pretty(&json::report(self.file, self.plan.integrator, self.scene, self.trace))
-            .expect("a report is plain data")
+        to_json("trace", &json::report(self.file, self.plan.integrator, self.scene, self.trace))
     }
 
     fn write_events(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -138,7 +138,7 @@ impl fmt::Display for TraceReport<'_> {
 
 fn ray_line(kind: RayKind, origin: crate::math::DVec3, direction: crate::math::DVec3, factor: Vec3) -> String {
     let times = if kind == RayKind::Camera { String::new() } else { format!(" x {}", colour(factor)) };
-    format!("{}{times} from {} towards {}", ray_name(kind), vector(origin), vector(direction))
+    format!("{}{times} from {} towards {}", name_of(kind), vector(origin), vector(direction))
 }
 
 fn through_glass(transmittance: Vec3) -> Option<String> {
@@ -159,9 +159,9 @@ fn branch_line(event: &Event) -> String {
                 ),
             }
         }
-        Event::CutByDepth { kind, depth } => format!("{}: not followed, depth {depth} is the limit", ray_name(kind)),
+        Event::CutByDepth { kind, depth } => format!("{}: not followed, depth {depth} is the limit", name_of(kind)),
         Event::CutByWeight { kind, weight } => {
-            format!("{}: not followed, share {weight} of the pixel, by a random decision", ray_name(kind))
+            format!("{}: not followed, share {weight} of the pixel, by a random decision", name_of(kind))
         }
         Event::Scattered { specular, transmitted, density, weight } => {
             let how = if transmitted { "continues through the surface" } else { "continues, reflected" };

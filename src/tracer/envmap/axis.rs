@@ -76,6 +76,13 @@ impl fmt::Display for SignedAxis {
     }
 }
 
+/// As it is written: `+x`.
+impl serde::Serialize for SignedAxis {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(self)
+    }
+}
+
 impl FromStr for SignedAxis {
     type Err = String;
 

@@ -4,6 +4,8 @@
 //! of `u`, `1-u` and one of `v`, `1-v`, in either order. A repair of the code computes (u', v') instead of (u, v); a
 //! repair of the file applies the equivalent picture operation once.
 
+use serde::{Serialize, Serializer};
+
 use super::axis::SignedAxis;
 use super::lookup::FaceLookup;
 use super::v_origin::VOrigin;
@@ -128,6 +130,21 @@ impl Orientation {
             (true, false, true) => ImageOperation::TurnClockwise,
             (true, true, false) => ImageOperation::TurnCounterclockwise,
         }
+    }
+}
+
+/// By its formulas: `u` and `v`.
+impl Serialize for Orientation {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let (u, v) = self.formulas();
+        serializer.collect_map([("u", u), ("v", v)])
+    }
+}
+
+/// In words.
+impl Serialize for ImageOperation {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
     }
 }
 

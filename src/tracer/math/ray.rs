@@ -3,7 +3,7 @@
 use super::DVec3;
 
 /// A half line from `origin` along `direction` (unit length up to rounding), world space.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, serde::Serialize)]
 pub struct Ray {
     /// Where it starts.
     pub origin: DVec3,
@@ -13,6 +13,7 @@ pub struct Ray {
     ///
     /// Self-intersection is excluded by construction with it: a flat surface cannot be hit again by a ray that
     /// leaves it, and a sphere only at the other end of the chord, which has a closed form.
+    #[serde(skip)]
     pub departure: Option<Departure>,
 }
 

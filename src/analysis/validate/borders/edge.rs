@@ -20,6 +20,13 @@ pub struct Edge {
     pub second: Face,
 }
 
+/// By its name.
+impl serde::Serialize for Edge {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&self.name())
+    }
+}
+
 impl Edge {
     /// All twelve: +x+y +x-y +x+z +x-z -x+y -x-y -x+z -x-z +y+z +y-z -y+z -y-z.
     pub const ALL: [Self; 12] = {

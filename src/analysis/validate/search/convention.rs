@@ -23,6 +23,7 @@ pub enum Convention {
     /// A y-up download seen along -z, unmirrored.
     HumusYUp,
     /// `+Z` and `-Z` change places.
+    #[serde(rename = "openexr")]
     OpenExr,
     /// Names of Quake and Terragen: front is +X.
     Quake,
@@ -89,25 +90,6 @@ impl Convention {
         Self::FrontFirst,
         Self::Optifine,
     ];
-
-    /// The name in JSON.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::BottomUp => "bottom-up",
-            Self::Mirrored => "mirrored",
-            Self::Opengl => "opengl",
-            Self::Course => "course",
-            Self::HumusZUp => "humus-z-up",
-            Self::HumusYUp => "humus-y-up",
-            Self::OpenExr => "openexr",
-            Self::Quake => "quake",
-            Self::Unity => "unity",
-            Self::ZUp => "z-up",
-            Self::ZUpRightHanded => "z-up-right-handed",
-            Self::FrontFirst => "front-first",
-            Self::Optifine => "optifine",
-        }
-    }
 
     /// What the lookup would have to be for a map of this convention.
     fn arrangement(self, lookup: &Lookup) -> Arrangement {

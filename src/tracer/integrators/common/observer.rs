@@ -3,6 +3,9 @@
 //! The textbook integrators are generic over an [`Observer`]. [`Blind`] sees nothing and compiles to nothing;
 //! [`Recorder`] keeps every event. Closures make the events, so a blind observer does not pay for them.
 
+use serde::{Serialize, Serializer};
+
+use crate::choice::name_of;
 use crate::math::{DVec3, Ray, Side, Vec3};
 use crate::shapes::Surface;
 
@@ -34,16 +37,27 @@ impl Observer for Recorder {
 }
 
 /// Why a ray is traced.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
 pub enum RayKind {
     /// From the camera.
+    #[value(name = "camera ray")]
     Camera,
     /// By reflection at a mirror or glass.
+    #[value(name = "reflected ray")]
     Reflected,
     /// Through glass.
+    #[value(name = "refracted ray")]
     Refracted,
     /// The next ray of a random path.
+    #[value(name = "scattered ray")]
     Scattered,
+}
+
+/// By its name.
+impl Serialize for RayKind {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(&name_of(*self))
+    }
 }
 
 /// What happens to a light at a surface.
@@ -78,14 +92,17 @@ pub enum LightOutcome {
     },
 }
 
-/// A step of an integrator. What is between `Ray` and its `End` belongs to that ray.
-#[derive(Debug, Clone, Copy)]
+/// A step of an integrator. What is between `Ray` and its `End` belongs to that ray. What is skipped in JSON takes a scene to
+/// name; `report/trace/json.rs` adds it.
+#[derive(Debug, Clone, Copy, Serialize)]
+#[serde(tag = "event", rename_all = "snake_case")]
 pub enum Event {
     /// A ray sets out; what it finds counts `factor` for what sent it out.
     Ray {
         /// Why the ray was sent.
         kind: RayKind,
         /// In the world, of unit direction.
+        #[serde(flatten)]
         ray: Ray,
         /// Linear RGB.
         factor: Vec3,
@@ -104,14 +121,18 @@ pub enum Event {
     /// It hit a surface; `transmittance` is the share of its light that passes the glass in between.
     Hit {
         /// The surface there, in the world.
+        #[serde(skip)]
         surface: Surface,
         /// Which side of the surface the ray met.
+        #[serde(skip)]
         side: Side,
         /// Unit length, on the side of the viewer.
+        #[serde(rename = "normal")]
         shading_normal: DVec3,
         /// Along the ray, in units of the world.
         distance: f64,
         /// Between the shading normal and the direction back along the ray.
+        #[serde(skip)]
         cosine: f64,
         /// Linear RGB in `[0, 1]`.
         transmittance: Vec3,
@@ -126,8 +147,10 @@ pub enum Event {
     /// Number of the light in the scene.
     Light {
         /// From 0, in the order of the scene file.
+        #[serde(skip)]
         number: usize,
         /// Whether its light arrives.
+        #[serde(skip)]
         outcome: LightOutcome,
     },
     /// What Fresnel's equations give at a smooth glass.
@@ -137,8 +160,10 @@ pub enum Event {
         /// Index of refraction on the other side.
         index_beyond: f64,
         /// Unpolarised, in `[0, 1]`; 1 at total reflection.
+        #[serde(rename = "reflected")]
         reflectance: f64,
         /// Cosine of the angle of refraction; `None` at total reflection.
+        #[serde(skip)]
         cos_transmitted: Option<f64>,
     },
     /// A branch is not followed: its depth.
@@ -163,6 +188,7 @@ pub enum Event {
     /// A light with an extent was drawn, and counts with the weight of multiple importance sampling.
     SampledLight {
         /// From the surface to the point on the light.
+        #[serde(skip)]
         ray: Ray,
         /// Of the drawn direction, per steradian.
         density: f64,
