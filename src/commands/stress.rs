@@ -10,6 +10,7 @@ use crate::error::{Error, Result};
 use crate::picture::{check_target, write_atomically};
 use crate::report::{StressReport, draw_stress};
 use crate::stress::{Case, Effort, Subject, Verdict, subjects};
+use crate::validator_limits;
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 all bounds hold in their promised ranges, 1 a bound fails, 2 could not run.")]
@@ -55,7 +56,7 @@ pub fn run(arguments: &StressArguments) -> Result<Outcome> {
 
 /// The cases whose names begin with the given text, or all.
 fn chosen(name: Option<&str>) -> Result<Vec<Subject>> {
-    let all = subjects();
+    let all = [subjects(), validator_limits::SUBJECTS.to_vec()].concat();
     let Some(name) = name else { return Ok(all) };
     let chosen: Vec<Subject> = all.iter().copied().filter(|subject| subject.name.starts_with(name)).collect();
     if chosen.is_empty() {
