@@ -4,9 +4,14 @@ use std::sync::OnceLock;
 
 use skycube::limits::LIMITS;
 use skycube::report::StressReport;
-use skycube::stress::{Case, Effort, Verdict, subjects};
+use skycube::stress::{self, Case, Effort, Group, Subject, Verdict};
+use skycube::validator_limits;
 
 const FAST: Effort = Effort { rays: 20_000 };
+
+fn subjects() -> Vec<Subject> {
+    [stress::subjects(), validator_limits::SUBJECTS.to_vec()].concat()
+}
 
 /// All cases, measured once for all tests.
 fn cases() -> &'static [Case] {
@@ -16,8 +21,17 @@ fn cases() -> &'static [Case] {
 
 #[test]
 fn every_promise_is_kept() {
-    for case in cases() {
+    for case in cases().iter().filter(|case| case.subject.group != Group::Validator) {
         assert!(case.verdict() != Verdict::Fails, "{}: {:?}", case.subject.name, case.worst());
+    }
+}
+
+#[test]
+#[ignore = "fails: the validator says of near copies of a face, and of a face flipped before strong compression, that they fit"]
+fn the_validator_is_never_wrong() {
+    for case in cases().iter().filter(|case| case.subject.group == Group::Validator) {
+        let wrong: Vec<_> = case.measurements.iter().filter(|step| step.error.is_infinite()).collect();
+        assert!(wrong.is_empty() && case.verdict() != Verdict::Fails, "{}: {wrong:#?}", case.subject.name);
     }
 }
 
@@ -36,7 +50,7 @@ fn a_line_fits_a_terminal() {
 #[test]
 fn a_case_is_measured_again_as_it_was() {
     let again = |name: &str| subjects().into_iter().find(|subject| subject.name == name).unwrap().measured(FAST);
-    for name in ["sphere-f64", "self-sphere", "film"] {
+    for name in ["sphere-f64", "self-sphere", "film", "check-noise"] {
         let first = cases().iter().find(|case| case.subject.name == name).unwrap();
         assert_eq!(first.measurements, again(name).measurements);
     }

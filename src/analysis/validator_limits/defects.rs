@@ -5,7 +5,7 @@ use std::path::Path;
 use super::picture_of;
 use crate::envmap::Face;
 use crate::math::functions::power;
-use crate::picture::{self, Format, OutputFormat, Picture, Texels, WriteOptions};
+use crate::picture::{self, OutputFormat, Picture, Texels, WriteOptions};
 use crate::random::Random;
 
 /// Stored as a JPEG file of this quality, and read again.
@@ -63,7 +63,7 @@ pub fn blurred(picture: &Picture, radius: usize) -> Picture {
     };
     let floats: Vec<f32> = bytes.iter().map(|&byte| f32::from(byte)).collect();
     let means = along(&along(&floats, 1, size), size, 1);
-    picture_of(size, Format::Png, means.iter().map(|mean| mean.round() as u8).collect())
+    picture_of(size, means.iter().map(|mean| mean.round() as u8).collect())
 }
 
 /// A picture of which every code becomes another one, by code, column and row.
@@ -71,7 +71,7 @@ fn changed(picture: &Picture, mut code: impl FnMut(f32, usize, usize) -> f32) ->
     let size = picture.width();
     let codes = bytes(picture).iter().enumerate();
     let codes = codes.map(|(at, &byte)| code(f32::from(byte), at / 3 % size, at / 3 / size));
-    picture_of(size, Format::Png, codes.map(|code| code.round().clamp(0.0, 255.0) as u8).collect())
+    picture_of(size, codes.map(|code| code.round().clamp(0.0, 255.0) as u8).collect())
 }
 
 fn bytes(picture: &Picture) -> &[u8] {

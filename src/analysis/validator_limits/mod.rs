@@ -15,6 +15,9 @@ pub use subjects::SUBJECTS;
 use crate::picture::{Format, Header, Picture, Texels};
 
 /// A square picture of sRGB codes.
-fn picture_of(size: usize, format: Format, bytes: Vec<u8>) -> Picture {
-    Picture::new(Header { width: size, height: size, format, bit_depth: 8, alpha: false }, Texels::Srgb8(bytes))
+fn picture_of(size: usize, bytes: Vec<u8>) -> Picture {
+    Picture::new(
+        Header { width: size, height: size, format: Format::Png, bit_depth: 8, alpha: false },
+        Texels::Srgb8(bytes),
+    )
 }

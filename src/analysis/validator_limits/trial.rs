@@ -27,7 +27,7 @@ pub fn answer(
     faces: &[Picture; 6],
     damage: Damage,
     stored: &(dyn Fn(Face, Picture) -> Picture + Sync),
-) -> Answer {
+) -> (Answer, String) {
     let damaged = damage.done_to(faces, world);
     let kept: Vec<Picture> = Face::ALL.iter().map(|&face| stored(face, damaged[face.index()].clone())).collect();
     let facts = Face::ALL.map(|face| facts(face, &kept[face.index()]));
@@ -35,7 +35,18 @@ pub fn answer(
     let options = CheckOptions { lookup_name: "opengl".to_owned(), ..CheckOptions::default() };
     let map = map_of(kept, Preset::Opengl.lookup());
     let check = check(&map, facts.to_vec(), &options).expect("pictures in memory can be read");
-    judged(&check, faces, damaged, damage)
+    (judged(&check, faces, damaged, damage), said(&check))
+}
+
+/// The answer in words.
+fn said(check: &Check) -> String {
+    let outliers = check.outliers.iter().map(|outlier| format!(", {} does not belong", outlier.face.name()));
+    let given = Preset::Opengl.lookup();
+    let changed = check.fix.faces.iter().filter(|fix| !fix.is_unchanged(&given)).map(|fix| {
+        let (u, v) = fix.orientation.formulas();
+        format!(", {} = {}({u}, {v})", fix.face.name(), fix.image.name())
+    });
+    format!("{}{}", check.verdict.name(), outliers.chain(changed).collect::<String>())
 }
 
 fn facts(face: Face, picture: &Picture) -> ImageFacts {

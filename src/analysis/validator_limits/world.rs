@@ -5,7 +5,7 @@ use crate::envmap::{Face, FacePoint, Preset};
 use crate::math::Vec3;
 use crate::math::functions::floor;
 use crate::parallel;
-use crate::picture::{Format, Picture};
+use crate::picture::Picture;
 
 /// The display colour of a sky without detail.
 const FLAT_SKY: [f32; 3] = [150.0, 180.0, 220.0];
@@ -60,7 +60,7 @@ impl World {
             let colour = |d: Vec3| if d.y > height { FLAT_SKY } else { self.colour(d.normalize()) };
             (0..size).flat_map(|x| colour(direction(x)).map(code)).collect()
         };
-        picture_of(size, Format::Png, parallel::map(0..size, row).concat())
+        picture_of(size, parallel::map(0..size, row).concat())
     }
 
     /// Display colours from 0 to 255 in a direction; +y is up.
