@@ -128,19 +128,22 @@ impl Case {
         Some(Range { least: longest.first()?.magnitude, most: longest.last()?.magnitude })
     }
 
-    /// The worst measurement where the bound is promised.
+    /// The worst measurement where the bound is promised, or beyond if that is a failure, too.
     pub fn worst(&self) -> &Measurement {
-        let promised = self.measurements.iter().filter(|measurement| self.is_promised(measurement));
-        let worst = promised.reduce(|one, other| if other.error > one.error { other } else { one });
+        let counted = self.measurements.iter().filter(|measurement| self.counts(measurement));
+        let worst = counted.reduce(|one, other| if other.error > one.error { other } else { one });
         worst.unwrap_or(&self.measurements[0])
+    }
+
+    /// True if an error of this measurement is a failure.
+    fn counts(&self, measurement: &Measurement) -> bool {
+        self.is_promised(measurement) || measurement.error > self.subject.group.most()
     }
 
     /// Whether the bound is kept over the promised range.
     pub fn verdict(&self) -> Verdict {
         let beyond = |measurement: &&Measurement| !self.is_within(measurement);
-        let fails =
-            |measurement: &Measurement| self.is_promised(measurement) || measurement.error > self.subject.group.most();
-        if self.measurements.iter().filter(beyond).any(fails) {
+        if self.measurements.iter().filter(beyond).any(|measurement| self.counts(measurement)) {
             Verdict::Fails
         } else if self.measurements.iter().any(|measurement| beyond(&measurement)) {
             Verdict::Ends
