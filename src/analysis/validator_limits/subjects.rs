@@ -82,7 +82,8 @@ fn swept(effort: Effort, magnitudes: &[f64], damages: &[Damage], defect: Defect)
     steps.map(|(step, &magnitude)| measured(effort, step, magnitude, &drawn, damages, defect)).collect()
 }
 
-/// Up to 1024 texels with the usual effort; 8192 take a hundred times that, and 8 GB of memory.
+/// Up to 1024 texels with the usual effort; 8192 take a hundred times that, and more than 10 GB of memory: all
+/// three worlds, and copies of those that are checked.
 fn texels(effort: Effort) -> Vec<Measurement> {
     let affordable = |size: &usize| *size <= 256 || size * size <= effort.rays / 8;
     let sizes = (4..=13).map(|power| 1 << power).take_while(affordable);
