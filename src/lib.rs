@@ -53,9 +53,9 @@ pub use skycube_tracer::{
     render, sampling, scene, shapes,
 };
 
-#[cfg(feature = "stress")]
-pub use skycube_analysis::stress;
 pub use skycube_analysis::{PixelTrace, Random, compare, converge, digits, grade, limits, metrics, validate};
+#[cfg(feature = "stress")]
+pub use skycube_analysis::{stress, validator_limits};
 
 pub mod lessons;
 

@@ -17,7 +17,7 @@ const PACKAGES: [(&str, &str); 4] = [
 ];
 
 /// Modules in their order, each may import those before it.
-const ORDERS: [&[&str]; 3] = [
+const ORDERS: [&[&str]; 5] = [
     &[
         "skycube_tracer::parallel",
         "skycube_tracer::math",
@@ -40,6 +40,8 @@ const ORDERS: [&[&str]; 3] = [
         "skycube_tracer::integrators::side_by_side",
         "skycube_tracer::integrators::guided",
     ],
+    &["skycube_analysis::stress", "skycube_analysis::validator_limits"],
+    &["skycube_analysis::validate", "skycube_analysis::validator_limits"],
     &["skycube::lessons", "skycube::report", "skycube::commands"],
 ];
 

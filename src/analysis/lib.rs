@@ -15,6 +15,8 @@ mod random;
 #[cfg(feature = "stress")]
 pub mod stress;
 pub mod validate;
+#[cfg(feature = "stress")]
+pub mod validator_limits;
 
 pub use pixel_trace::PixelTrace;
 pub use random::Random;

@@ -10,11 +10,13 @@ use crate::error::{Error, Result};
 use crate::picture::{check_target, write_atomically};
 use crate::report::{StressReport, draw_stress};
 use crate::stress::{Case, Effort, Subject, Verdict, subjects};
+use crate::validator_limits;
 
 #[derive(Debug, Args)]
 #[command(after_help = "Exit codes: 0 all bounds hold in their promised ranges, 1 a bound fails, 2 could not run.")]
 pub struct StressArguments {
-    /// Only the cases whose names begin with NAME, for instance leaks, with every step
+    /// Only the cases whose names begin with NAME, for instance leaks, with every step. The cases `check-…` sweep the limits
+    /// of the validator, and run only if they are named
     #[arg(long, value_name = "NAME")]
     case: Option<String>,
     /// Rays for self-intersection; the other cases take a share of this number
@@ -53,10 +55,10 @@ pub fn run(arguments: &StressArguments) -> Result<Outcome> {
     Ok(if fails { Outcome::Faults } else { Outcome::Clean })
 }
 
-/// The cases whose names begin with the given text, or all.
+/// The cases whose names begin with the given text, or all but those of the validator.
 fn chosen(name: Option<&str>) -> Result<Vec<Subject>> {
-    let all = subjects();
-    let Some(name) = name else { return Ok(all) };
+    let Some(name) = name else { return Ok(subjects()) };
+    let all = [subjects(), validator_limits::SUBJECTS.to_vec()].concat();
     let chosen: Vec<Subject> = all.iter().copied().filter(|subject| subject.name.starts_with(name)).collect();
     if chosen.is_empty() {
         let names: Vec<&str> = all.iter().map(|subject| subject.name).collect();

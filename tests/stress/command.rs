@@ -23,6 +23,20 @@ fn the_report_for_machines_is_json() {
 }
 
 #[test]
+fn the_validator_is_swept_until_it_is_undecided() {
+    let folder = tempfile::tempdir().unwrap();
+    let output = skycube(folder.path(), &["stress", "--case", "check-frame", "--rays", "1000", "--json"]);
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let case = &report["cases"][0];
+    assert_eq!((output.status.code(), case["group"].as_str()), (Some(0), Some("validator")));
+    let sweep = case["sweep"].as_array().unwrap();
+    assert_eq!((sweep[0]["error"].as_f64(), sweep[0]["input"].as_str()), (Some(0.0), Some("none")));
+    let last = sweep.last().unwrap();
+    assert_eq!(last["error"].as_f64(), Some(100.0));
+    assert!(last["input"].as_str().unwrap().contains(": undecidable"), "{last}");
+}
+
+#[test]
 fn an_unknown_case_cannot_run() {
     let folder = tempfile::tempdir().unwrap();
     let output = skycube(folder.path(), &["stress", "--case", "weather"]);

@@ -5,6 +5,7 @@ use std::sync::OnceLock;
 use skycube::limits::LIMITS;
 use skycube::report::StressReport;
 use skycube::stress::{Case, Effort, Verdict, subjects};
+use skycube::validator_limits;
 
 const FAST: Effort = Effort { rays: 20_000 };
 
@@ -18,6 +19,16 @@ fn cases() -> &'static [Case] {
 fn every_promise_is_kept() {
     for case in cases() {
         assert!(case.verdict() != Verdict::Fails, "{}: {:?}", case.subject.name, case.worst());
+    }
+}
+
+#[test]
+#[ignore = "open question: near copies of a face, and a face flipped before strong compression, are said to fit"]
+fn the_validator_is_never_wrong() {
+    for subject in validator_limits::SUBJECTS {
+        let case = subject.measured(Effort { rays: 20_000 });
+        let wrong: Vec<_> = case.measurements.iter().filter(|step| step.error.is_infinite()).collect();
+        assert!(wrong.is_empty() && case.verdict() != Verdict::Fails, "{}: {wrong:#?}", case.subject.name);
     }
 }
 
