@@ -125,7 +125,7 @@ fn summary(cases: &[Case]) -> String {
     let mut text = format!("\n{} cases: {holds} hold, {ends} end, {fails} fail\n", cases.len());
     text += "  holds  the error stays within the bound at every step\n";
     text += "  ends   the error stays within the bound in the promised range and exceeds it somewhere beyond\n";
-    text += "  FAILS  the error exceeds the bound in the promised range, or an answer of the validator is wrong\n";
+    text += "  FAILS  the error exceeds the bound in the promised range\n";
     text += "  worst and with: the largest error in the promised range and the input that made it\n";
     text += "  ulp: units in the last place of f32 (1 is 5.4e8 of f64); ppm: per million rays\n";
     text
