@@ -3,6 +3,7 @@
 use super::borders::border::{Borders, read_borders};
 use super::borders::edge::EdgeBorders;
 use super::borders::pair_cost::PairCosts;
+use super::copies::Copies;
 use super::findings::{Check, FaceFix, Fix, ImageFacts};
 use super::notes;
 use super::options::{CheckOptions, Names};
@@ -37,9 +38,11 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     let hints = Hints::of_files(images.iter().map(|image| image.file.as_str()), names == Names::AnyOrder);
     let orders = convention::orders(&lookup, world_up, hints);
     let sky = Sky::of(map, &borders)?;
+    let copies = Copies::of(map, &borders)?;
     let (images_of, problem_of) = (&borders, &problem);
     let search = Search {
         map,
+        copies: &copies,
         images: images_of,
         problem: problem_of,
         lookup: &lookup,

@@ -18,6 +18,7 @@
 
 mod borders;
 mod check;
+mod copies;
 mod findings;
 mod note;
 mod notes;

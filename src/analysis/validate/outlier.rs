@@ -2,16 +2,16 @@
 
 use super::borders::border::Borders;
 use super::borders::edge::Edge;
+use super::copies::Copies;
 use super::seam::measure;
 use super::search::arrangement::{Arrangement, Problem};
 use super::thresholds::outlier::{
-    ANOTHER_PATTERN, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_GLARING, OUTLIER_STEP, STEP_RATIO,
-    VISIBLE,
+    ANOTHER_PATTERN, COPY_RATIO, COPY_STEP, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_GLARING,
+    OUTLIER_STEP, STEP_RATIO, VISIBLE,
 };
 use super::thresholds::seam::UNDECIDED;
 use super::thresholds::verdict::TORN_STEP;
-use crate::envmap::{CubeMap, Face};
-use crate::error::Result;
+use crate::envmap::Face;
 
 /// A face whose image does not belong.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,27 +61,27 @@ pub fn judge(problem: &Problem, images: &Borders, arrangement: &Arrangement, fac
 /// The face that fits nothing, in any orientation, while the others fit as `arrangement` has them. The image of that face is
 /// left as it is given.
 pub fn find(
-    map: &CubeMap,
+    copies: &Copies,
     problem: &Problem,
     images: &Borders,
     arrangement: &Arrangement,
-) -> Result<Option<(Outlier, Arrangement)>> {
-    if let Some(copied) = copied(map, problem, images, arrangement)? {
-        return Ok(Some(copied));
+) -> Option<(Outlier, Arrangement)> {
+    if let Some(copied) = copied(copies, problem, images, arrangement) {
+        return Some(copied);
     }
     let judged = Face::ALL.map(|face| {
         let (placed, fit) = best_orientation(problem, arrangement, face);
         (stands_out(problem, images, &placed, face), fit, placed)
     });
     let worst = |a: &usize, b: &usize| judged[*a].0.cmp(&judged[*b].0).then(judged[*a].1.total_cmp(&judged[*b].1));
-    let Some(worst) = (0..6).max_by(worst) else { return Ok(None) };
+    let worst = (0..6).max_by(worst)?;
     let (face, (stands_out, fit, placed)) = (Face::ALL[worst], &judged[worst]);
     let others_fit = mean_fit(problem, placed, face, false) <= FAMILIAR;
     if !stands_out && (!others_fit || mean_score(problem, images, placed, face) < VISIBLE) {
-        return Ok(None);
+        return None;
     }
     let image = placed.images[worst];
-    let copy = copy_of(map, images, image)?;
+    let copy = copies.of_image(image);
     let (reason, threshold, fit) = match copy {
         // A mirrored copy of its original closes the seam between the two, which is no evidence.
         Some(other) => {
@@ -100,8 +100,8 @@ pub fn find(
         Reason::Flat => mean_step(problem, images, placed, face, true) >= OUTLIER_STEP,
         Reason::CopyOf(_) => true,
     };
-    Ok(((*stands_out || fit >= threshold) && unlike)
-        .then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0))))
+    ((*stands_out || fit >= threshold) && unlike)
+        .then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0)))
 }
 
 /// True if the best arrangement takes the image of a face elsewhere, and it fits there: two files were exchanged.
@@ -154,17 +154,11 @@ fn is_glaring(problem: &Problem, images: &Borders, arrangement: &Arrangement, ed
 
 /// The images that must not tell how the others lie where `outlier` does not belong: itself, and all others that are
 /// outliers or copies as well.
-pub fn outliers(
-    map: &CubeMap,
-    problem: &Problem,
-    images: &Borders,
-    arrangement: &Arrangement,
-    outlier: Face,
-) -> Result<Vec<Face>> {
+pub fn outliers(copies: &Copies, problem: &Problem, arrangement: &Arrangement, outlier: Face) -> Vec<Face> {
     let mut outliers = vec![arrangement.images[outlier.index()]];
     for face in Face::ALL.into_iter().filter(|&face| face != outlier) {
         let image = arrangement.images[face.index()];
-        let strange = match copy_of(map, images, image)? {
+        let strange = match copies.of_image(image) {
             Some(other) => {
                 let original = arrangement.face_of(other);
                 fit_without(problem, arrangement, face, original) >= OUTLIER_COPY
@@ -178,41 +172,40 @@ pub fn outliers(
             outliers.push(image);
         }
     }
-    Ok(outliers)
+    outliers
 }
 
-/// A face with the texels of another that sees them in its place: its own seams gape where those of the original close. In a
+/// A face with the picture of another that sees it in its place: its own seams step further than those of the original. In a
 /// picture of the world two faces never hold the same detail; in a drawn one they may, and then all seams close.
 fn copied(
-    map: &CubeMap,
+    copies: &Copies,
     problem: &Problem,
     images: &Borders,
     arrangement: &Arrangement,
-) -> Result<Option<(Outlier, Arrangement)>> {
+) -> Option<(Outlier, Arrangement)> {
     let mut worst: Option<(f64, Outlier)> = None;
     for face in Face::ALL {
-        let Some(other) = copy_of(map, images, arrangement.images[face.index()])? else { continue };
+        let Some(other) = copies.of_image(arrangement.images[face.index()]) else { continue };
         let Some(original) = arrangement.face_of(other) else {
             continue;
         };
         let (placed, _) = best_orientation(problem, arrangement, face);
-        let away = |of: Face, from: Face| score_away_from(problem, images, &placed, of, from);
+        let away = |of: Face, from: Face| step_away_from(problem, images, &placed, of, from);
         let (gaping, closing) = (away(face, original), away(original, face));
         let others_fit = mean_fit(problem, &placed, face, false) <= FAMILIAR;
-        let gapes = others_fit && gaping >= VISIBLE && closing <= 0.5 * gaping;
-        if gapes && worst.is_none_or(|(score, _)| gaping > score) {
+        let gapes = others_fit && gaping >= COPY_STEP && gaping >= COPY_RATIO * closing;
+        if gapes && worst.is_none_or(|(step, _)| gaping > step) {
             worst = Some((gaping, Outlier { face, reason: Reason::CopyOf(other) }));
         }
     }
-    Ok(worst.map(|(_, outlier)| (outlier, arrangement.with_orientation(outlier.face, 0))))
+    worst.map(|(_, outlier)| (outlier, arrangement.with_orientation(outlier.face, 0)))
 }
 
-/// The mean score of the seams of a face but for the one towards another: a copy beside its original may close that one.
-fn score_away_from(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face, other: Face) -> f64 {
+/// The mean step of the seams of a face but for the one towards another: a copy beside its original may close that one.
+fn step_away_from(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face, other: Face) -> f64 {
     let counts = |&edge: &usize| Edge::ALL[edge].touches(face) && !Edge::ALL[edge].touches(other);
-    let scores: Vec<f64> =
-        (0..12).filter(counts).map(|edge| measure(problem, images, arrangement, edge).score).collect();
-    scores.iter().sum::<f64>() / scores.len().max(1) as f64
+    let steps: Vec<f64> = (0..12).filter(counts).map(|edge| measure(problem, images, arrangement, edge).step).collect();
+    steps.iter().sum::<f64>() / steps.len().max(1) as f64
 }
 
 /// The mean cost of a face's seams but for their mean brightness and colour, which a different exposure explains.
@@ -272,17 +265,4 @@ fn mean_step(problem: &Problem, images: &Borders, arrangement: &Arrangement, fac
     let chosen = |&edge: &usize| Edge::ALL[edge].touches(face) == touching;
     let steps: Vec<f64> = (0..12).filter(chosen).map(|edge| measure(problem, images, arrangement, edge).step).collect();
     steps.iter().sum::<f64>() / steps.len() as f64
-}
-
-/// Another image with the same texels.
-fn copy_of(map: &CubeMap, borders: &Borders, image: Face) -> Result<Option<Face>> {
-    if borders[image.index()].is_flat() {
-        return Ok(None);
-    }
-    for other in Face::ALL.into_iter().filter(|&other| other != image) {
-        if map.picture(image)?.texels() == map.picture(other)?.texels() {
-            return Ok(Some(other));
-        }
-    }
-    Ok(None)
 }

@@ -3,6 +3,7 @@
 use super::borders::border::Borders;
 use super::borders::edge::{Edge, EdgeBorders};
 use super::borders::pair_cost::PairCosts;
+use super::copies::Copies;
 use super::options::Names;
 use super::outlier::{self, Outlier, Reason};
 use super::seam::measure;
@@ -53,6 +54,7 @@ const MOST_TOLD: usize = 3;
 /// What the search is about.
 pub struct Search<'a> {
     pub map: &'a CubeMap,
+    pub copies: &'a Copies,
     pub images: &'a Borders,
     pub problem: &'a Problem,
     pub lookup: &'a Lookup,
@@ -106,7 +108,7 @@ impl Search<'_> {
 
     /// The solution if five faces fit as the reference has them, and one fits nowhere.
     fn around_outlier(&self, reference: &Arrangement, best: &Arrangement) -> Result<Option<Solution>> {
-        let Some((outlier, reference)) = self.outlier(reference)? else { return Ok(None) };
+        let Some((outlier, reference)) = self.outlier(reference) else { return Ok(None) };
         let image = reference.images[outlier.face.index()];
         // Were the others wrong too, the face would be one of several that changed places; so it is if it fits elsewhere.
         if self.problem.compare_without(best, &reference, &[image]).is_decisive()
@@ -114,7 +116,7 @@ impl Search<'_> {
         {
             return Ok(None);
         }
-        let outliers = outlier::outliers(self.map, self.problem, self.images, &reference, outlier.face)?;
+        let outliers = outlier::outliers(self.copies, self.problem, &reference, outlier.face);
         let ties = self.ties(&reference, &outliers);
         let told = self.shortest(&reference, &ties, &outliers);
         let face = told.0.face_of(image).unwrap_or(outlier.face);
@@ -150,11 +152,11 @@ impl Search<'_> {
         now >= TORN_STEP && then <= REPAIRED * now
     }
 
-    fn outlier(&self, arrangement: &Arrangement) -> Result<Option<(Outlier, Arrangement)>> {
-        let found = outlier::find(self.map, self.problem, self.images, arrangement)?;
-        let Some((outlier, _)) = &found else { return Ok(None) };
+    fn outlier(&self, arrangement: &Arrangement) -> Option<(Outlier, Arrangement)> {
+        let found = outlier::find(self.copies, self.problem, self.images, arrangement);
+        let (outlier, _) = found.as_ref()?;
         if outlier.reason != Reason::AnotherScene {
-            return Ok(found);
+            return found;
         }
         // A frame that was seen around some of the images only would make them outliers to the others: the finding
         // must hold one row further inside all six, and inside the outlier alone.
@@ -165,12 +167,12 @@ impl Search<'_> {
                 within[inner.index()].framed = true;
             }
             let problem = Problem { borders: EdgeBorders::new(self.lookup), costs: PairCosts::new(&within) };
-            let again = outlier::find(self.map, &problem, &within, arrangement)?;
+            let again = outlier::find(self.copies, &problem, &within, arrangement);
             if again.is_none_or(|(other, _)| other.face != outlier.face) {
-                return Ok(None);
+                return None;
             }
         }
-        Ok(found)
+        found
     }
 
     /// The cheapest arrangement, without the seams of an image if one is given, and whether images changed places for it.

@@ -45,6 +45,10 @@ pub mod outlier {
     pub const STEP_RATIO: f64 = 2.0;
     /// As [`OUTLIER`], for one of two equal images.
     pub const OUTLIER_COPY: f64 = 0.5;
+    /// The mean step of the seams of a copy, and how many times as far they step as those of the original, which has the same
+    /// detail and noise.
+    pub const COPY_STEP: f64 = 3.0;
+    pub const COPY_RATIO: f64 = 2.0;
     /// The same for one flat colour, which continues any plain picture but for its brightness.
     pub const OUTLIER_FLAT: f64 = 0.3;
     /// The mean step by which the neighbours must end in other colours than an outlier: a flat sky whose neighbours fade into
@@ -60,6 +64,15 @@ pub mod outlier {
     /// The agreement of the brightness along its four borders from which on a face is no outlier, however much its colours
     /// differ: a grey face among coloured ones, a face in a frame. Measured: outliers reach 6.7, grey faces have 32.
     pub const KINDRED: f64 = 10.0;
+}
+
+/// Images that show the same picture: [`super::copies`].
+pub mod copies {
+    /// The correlation of the fine detail of two images from which on they show the same. Measured at 128 texels: different
+    /// faces of one map reach 0.28, a face and itself under noise of 8 codes have 0.88 or more.
+    pub const SAME_DETAIL: f64 = 0.6;
+    /// The root of the mean square of detail, in codes, below which an image is too plain to tell.
+    pub const LEAST_DETAIL: f64 = 1.5;
 }
 
 /// Seams as the report shows them: [`super::seam`].
