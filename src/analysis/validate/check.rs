@@ -72,7 +72,7 @@ pub fn check(map: &CubeMap, images: Vec<ImageFacts>, options: &CheckOptions) -> 
     };
     check.verdict = verdict(&problem, &borders, &solution, &check, &given);
     let sky = sky.image(&check.fix.lookup(&lookup));
-    check.notes = notes::collect(&check, &borders, options, sky);
+    check.notes = notes::collect(&check, &borders, options, sky, &solution.doubtful);
     Ok(check)
 }
 

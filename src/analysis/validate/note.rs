@@ -61,6 +61,11 @@ pub enum Note {
         /// The faces that may have another orientation.
         faces: Vec<Face>,
     },
+    /// Faces that would fit better otherwise, but not decisively.
+    Doubtful {
+        /// The faces that the best arrangement changes.
+        faces: Vec<Face>,
+    },
     /// Rough seams of a geometry that fits, as it is or after the fix.
     Rough {
         /// How many of the twelve.
@@ -157,6 +162,11 @@ impl fmt::Display for Note {
             Self::Undecided { faces } => {
                 write!(formatter, "undecided: the pixels do not determine the orientation of {}", names(faces))
             }
+            Self::Doubtful { faces } => write!(
+                formatter,
+                "{} would fit better with another orientation or picture, but the pixels do not decide",
+                names(faces)
+            ),
             Self::Rough { seams, step, after_the_fix } => {
                 formatter.write_str(&rough_seams(*seams, *step, *after_the_fix))
             }

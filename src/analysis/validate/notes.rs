@@ -12,7 +12,13 @@ use super::verdict::Verdict;
 use crate::envmap::{Face, Preset};
 
 /// All remarks in the order of the report.
-pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Option<Face>) -> Vec<Note> {
+pub fn collect(
+    check: &Check,
+    borders: &Borders,
+    options: &CheckOptions,
+    sky: Option<Face>,
+    doubtful: &[Face],
+) -> Vec<Note> {
     let mut notes = Vec::new();
     for outlier in &check.outliers {
         let image = check.fix.faces[outlier.face.index()].image;
@@ -25,6 +31,9 @@ pub fn collect(check: &Check, borders: &Borders, options: &CheckOptions, sky: Op
     let undecided: Vec<Face> = check.fix.faces.iter().filter(|fix| !fix.decided).map(|fix| fix.face).collect();
     if !undecided.is_empty() {
         notes.push(Note::Undecided { faces: undecided });
+    }
+    if !doubtful.is_empty() && check.verdict == Verdict::Undecidable {
+        notes.push(Note::Doubtful { faces: doubtful.to_vec() });
     }
     rough(check, &mut notes);
     let after = mirrored_faces(&check.fix.lookup(&check.lookup));

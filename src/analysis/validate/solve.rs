@@ -37,6 +37,8 @@ pub struct Solution {
     pub outlier: Option<Outlier>,
     /// What is wrong if the pixels show that something is but not how to repair it.
     pub unsettled: Option<Unsettled>,
+    /// Faces that nothing changes though they would fit noticeably better otherwise.
+    pub doubtful: Vec<Face>,
 }
 
 /// Something is wrong, and no change is certain.
@@ -87,13 +89,29 @@ impl Search<'_> {
         let solution = self.solution(told, &[], equivalents)?;
         let (given, found) = (self.given(), solution.arrangement);
         let related = self.problem.mean_fit(&found) < UNRELATED;
-        if found == given || (related && (self.tells(&solution) || self.is_torn(&given, &found))) {
+        if found == given {
+            let doubtful = self.doubtful(&best, &given);
+            let unsettled = (!doubtful.is_empty()).then_some(Unsettled::Faint);
+            return Ok(Solution { unsettled, doubtful, ..solution });
+        }
+        if related && (self.tells(&solution) || self.is_torn(&given, &found)) {
             return Ok(solution);
         }
         let solution = self.solution((given, self.story(&given), Vec::new()), &[], equivalents)?;
         let worse = !self.problem.ties(&best, &given);
         let unsettled = if self.is_torn(&given, &best) { Unsettled::Torn } else { Unsettled::Faint };
         Ok(Solution { unsettled: worse.then_some(unsettled), ..solution })
+    }
+
+    /// The faces that the best arrangement changes if it is noticeably better than the given one.
+    fn doubtful(&self, best: &Arrangement, given: &Arrangement) -> Vec<Face> {
+        if !self.problem.compare(best, given).is_noticeable() {
+            return Vec::new();
+        }
+        let place = |arrangement: &Arrangement, face: Face| {
+            (arrangement.images[face.index()], arrangement.orientations[face.index()])
+        };
+        Face::ALL.into_iter().filter(|&face| place(best, face) != place(given, face)).collect()
     }
 
     /// The arrangements among which five faces may fit and one not: as given, the best one, and, where one face of the
@@ -198,7 +216,17 @@ impl Search<'_> {
         equivalents: usize,
     ) -> Result<Solution> {
         let (excluded, margin) = self.alternatives(&arrangement, outliers)?;
-        Ok(Solution { arrangement, story, also, excluded, margin, equivalents, outlier: None, unsettled: None })
+        Ok(Solution {
+            arrangement,
+            story,
+            also,
+            excluded,
+            margin,
+            equivalents,
+            outlier: None,
+            unsettled: None,
+            doubtful: Vec::new(),
+        })
     }
 
     /// By face the orientations that are as good as the best one's, itself first.

@@ -1,8 +1,8 @@
 //! When one arrangement fits decisively better than another.
 
 use super::super::thresholds::evidence::{
-    FEW_STANDARD_ERRORS, IMPROVEMENT, NEARLY_ALL, SOME_AGREEMENT, SOME_IMPROVEMENT, SOME_STANDARD_ERRORS,
-    STANDARD_ERRORS, STRONG_COUNT, STRONG_GAIN, STRONG_LOSS, TOGETHER,
+    FEW_STANDARD_ERRORS, IMPROVEMENT, NEARLY_ALL, NOTICEABLE, NOTICEABLE_IMPROVEMENT, SOME_AGREEMENT, SOME_IMPROVEMENT,
+    SOME_STANDARD_ERRORS, STANDARD_ERRORS, STRONG_COUNT, STRONG_GAIN, STRONG_LOSS, TOGETHER,
 };
 use super::arrangement::{Arrangement, Comparison, Problem};
 
@@ -22,7 +22,18 @@ impl Comparison {
         errors >= SOME_STANDARD_ERRORS
             && self.improvement() >= SOME_IMPROVEMENT
             && self.agreement >= SOME_AGREEMENT
-            && errors * errors / 2.0 + self.agreement >= TOGETHER
+            && self.likelihood() >= TOGETHER
+    }
+
+    /// True if the better one fits noticeably better, though perhaps not decisively.
+    pub fn is_noticeable(&self) -> bool {
+        self.improvement() >= NOTICEABLE_IMPROVEMENT && self.likelihood() >= NOTICEABLE
+    }
+
+    /// What the costs and the patterns along the borders tell together: a logarithm of likelihood.
+    fn likelihood(&self) -> f64 {
+        let errors = self.standard_errors();
+        errors * errors / 2.0 + self.agreement
     }
 }
 
