@@ -1,9 +1,10 @@
 //! Which images show the same picture: the same texels, or the same fine detail under noise or another compression.
 //!
 //! Faces of a real map look in different directions, so their fine detail is not correlated, however much their brightness is.
+//! A horizon or a frame is alike on many faces: so each row and column counts without its mean.
 //!
 //! ```text
-//!     picture -> 64 x 64 means -> less the mean of 5 x 5 around -> detail     two details: their correlation
+//!     picture -> 64 x 64 means -> less the mean of 5 x 5 around -> less the means of its row and its column -> detail
 //! ```
 
 use super::borders::border::{Borders, display_of_map};
@@ -68,7 +69,11 @@ fn detail(picture: &Picture, brightness: &impl Fn(&Picture, usize, usize) -> f32
             within(row).flat_map(|y| within(column).map(move |x| (x, y))).map(|(x, y)| cells[CELLS * y + x]).collect();
         cells.iter().sum::<f32>() / cells.len() as f32
     };
-    (0..CELLS * CELLS).map(|at| cells[at] - around(at % CELLS, at / CELLS)).collect()
+    let fine: Vec<f32> = (0..CELLS * CELLS).map(|at| cells[at] - around(at % CELLS, at / CELLS)).collect();
+    let mean = |along: &dyn Fn(usize) -> usize| (0..CELLS).map(|at| fine[along(at)]).sum::<f32>() / CELLS as f32;
+    let rows: Vec<f32> = (0..CELLS).map(|row| mean(&|column| CELLS * row + column)).collect();
+    let columns: Vec<f32> = (0..CELLS).map(|column| mean(&|row| CELLS * row + column)).collect();
+    (0..CELLS * CELLS).map(|at| fine[at] - rows[at / CELLS] - columns[at % CELLS]).collect()
 }
 
 /// The correlation of two details, in `[-1, 1]`; 0 where one of them is hardly more than rounding.

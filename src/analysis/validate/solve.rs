@@ -273,11 +273,21 @@ impl Search<'_> {
         told.sort_unstable();
         told.dedup();
         let good = |(_, candidate): &&(u32, Arrangement)| self.is_as_good(best, candidate, outliers);
-        let least = told.iter().find(good).map_or(u32::MAX, |&(cost, _)| cost);
-        let equal = told.iter().filter(|(cost, _)| *cost == least).filter(good);
-        let mut equal: Vec<&Arrangement> = equal.map(|(_, candidate)| candidate).collect();
+        let Some(shortest) = told.iter().find(good) else { return (*best, self.story(best), Vec::new()) };
+        // Which of as few faults happened is for the pixels to tell.
+        let faults = self.story(&shortest.1).faults();
+        let is_clear = |(_, candidate): &&(u32, Arrangement)| {
+            !self.problem.compare_without(best, candidate, outliers).is_noticeable()
+                && self.story(candidate).faults() <= faults
+        };
+        let (least, _) = told.iter().filter(good).find(is_clear).unwrap_or(shortest);
+        let equal = || told.iter().filter(|(cost, _)| cost == least).filter(good);
+        let mut equal: Vec<&Arrangement> = match equal().any(|told| is_clear(&told)) {
+            true => equal().filter(is_clear).map(|(_, candidate)| candidate).collect(),
+            false => equal().map(|(_, candidate)| candidate).collect(),
+        };
         equal.sort_by_cached_key(|candidate| self.preference(candidate));
-        let taken = equal.first().copied().unwrap_or(best);
+        let taken = equal[0];
         let story = self.story(taken);
         let mut others: Vec<Story> = equal.iter().map(|other| self.story(other)).collect();
         others.retain(|other| *other != story);

@@ -50,6 +50,12 @@ impl Story {
         }
     }
 
+    /// How many things happened: the order if it is not that of the lookup, exchanges, and files edited.
+    pub fn faults(&self) -> usize {
+        let exchanges: usize = self.exchanged.iter().map(|ring| ring.len() - 1).sum();
+        usize::from(self.order.is_some()) + exchanges + self.edited.len()
+    }
+
     /// What the shortest story of an arrangement costs.
     pub fn cost_of(arrangement: &Arrangement, orders: &[Order], free_names: bool) -> u32 {
         orders.iter().map(|order| cost_on(order, arrangement, free_names)).min().unwrap_or(0)

@@ -33,7 +33,7 @@ pub mod evidence {
     /// Another arrangement is noticeably better, though not decisively, from this logarithm of likelihood (as in
     /// [`TOGETHER`]) and this part of the cost on: then nobody can say that a map fits. Measured over 11 right maps at 128 texels:
     /// none is better at all, but at JPEG quality 10 (up to -2.0) and under noise of 16 codes (up to 1.6, at a part of 0.06).
-    pub const NOTICEABLE: f64 = 0.5;
+    pub const NOTICEABLE: f64 = 1.5;
     pub const NOTICEABLE_IMPROVEMENT: f64 = 0.05;
 }
 
