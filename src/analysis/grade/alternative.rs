@@ -2,6 +2,7 @@
 
 use super::explanation::{Evidence, FaceGrade, wrong};
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
+use super::thresholds::decisive::TELLING_FACES;
 use crate::envmap::{Face, Orientation, Preset};
 
 /// Another explanation of the same pictures.
@@ -28,9 +29,6 @@ pub struct PresetReading {
     /// How the camera stands then: right, or all six shots mirrored or turned alike.
     pub camera: CameraFault,
 }
-
-/// Faces that must be decided before their lookup is called by a name.
-const TELLING_FACES: usize = 3;
 
 impl Evidence<'_> {
     /// The other explanations of a fault that are simple.

@@ -2,6 +2,7 @@
 
 use super::explanation::FaceGrade;
 use super::placement::{Placement, ShotFrame, on_screen};
+use super::thresholds::angle::DEGREES;
 use super::{Alternative, Grade, Misfit};
 use crate::envmap::{Face, Lookup, Orientation, SignedAxis};
 
@@ -26,8 +27,6 @@ pub enum Cause {
 
 /// The angle of a camera that sees as much as code that does not halve the coordinates: the scale is 2.
 const NOT_HALVED: f64 = 126.87;
-/// Degrees by which a measured angle may be off.
-const ANGLE_TOLERANCE: f64 = 2.0;
 
 impl Grade {
     /// What the code does for each face if the camera is right.
@@ -59,7 +58,7 @@ impl Grade {
             }
             causes.extend(exchanged_cases(faces, lookup));
         }
-        if self.unhalved || self.field_of_view.is_some_and(|angle| (angle - NOT_HALVED).abs() < ANGLE_TOLERANCE) {
+        if self.unhalved || self.field_of_view.is_some_and(|angle| (angle - NOT_HALVED).abs() < DEGREES) {
             causes.push(Cause::NotHalved);
         }
         let twice = self.faces.iter().filter(|face| face.misfit == Some(Misfit::OneCoordinate));

@@ -9,6 +9,8 @@
 
 use super::matching::{ImageLevels, Screen, best, candidates, mean_square, relief, variance};
 use super::placement::{Placement, source_cells};
+use super::thresholds::angle::{HARDLY_BETTER, NEARLY_UNIFORM, TELLING, TOLERANCE, WORTH_A_SEARCH};
+use super::thresholds::shown::{MUCH_BETTER, UNEXPLAINED};
 use super::thumbnail::{Codes, Middle};
 use super::tone::Levels;
 use crate::envmap::Face;
@@ -24,13 +26,6 @@ const STEP: f64 = 0.025;
 /// Steps of the fine search each way, and the logarithm of one.
 const FINE_STEPS: i32 = 24;
 const FINE_STEP: f64 = 0.004;
-/// A scale off by less is not off; nor one off by half a pixel at the borders of a small shot.
-const TOLERANCE: f64 = 0.02;
-/// What another scale must explain at least, as a share of the variance: what it explains of a plain colour or of a
-/// gradient, which fits at any scale, is rounding.
-const TELLING: f64 = 0.02;
-/// Variance below which a shot is nearly uniform and tells little.
-const NEARLY_UNIFORM: f64 = 0.03 * 0.03;
 
 /// What is matched: shots and images as codes, and how each shot's face stands on the screen.
 pub(super) struct Views<'a> {
@@ -59,11 +54,11 @@ impl Views<'_> {
     pub fn scale(&self) -> f64 {
         let misfit_of_one = self.misfit(1.0);
         let mut coarse = 1.0;
-        if misfit_of_one > 0.1 {
+        if misfit_of_one > WORTH_A_SEARCH {
             let scales = (-STEPS..=STEPS).map(|step| exponential_f64(STEP * f64::from(step)));
             let scored = scales.map(|scale| (scale, self.misfit(scale)));
             let (scale, misfit) = scored.min_by(|a, b| a.1.total_cmp(&b.1)).expect("there are scales");
-            if misfit < 0.5 * misfit_of_one {
+            if misfit < MUCH_BETTER * misfit_of_one {
                 coarse = scale;
             }
         }
@@ -93,7 +88,7 @@ impl Views<'_> {
         let narrowest = self.shots.iter().map(|shot| shot.width).min().unwrap_or(1);
         let misfit_of_one = self.misfit_of(&placements, 1.0);
         let is_one = (scale - 1.0).abs() < TOLERANCE.max(1.0 / narrowest as f64)
-            || misfit > 0.9 * misfit_of_one
+            || misfit > HARDLY_BETTER * misfit_of_one
             || misfit_of_one - misfit < TELLING;
         if is_one { 1.0 } else { scale }
     }
@@ -105,7 +100,8 @@ impl Views<'_> {
             let shot = self.shot(index, scale, COARSE);
             let candidates = candidates(&images, self.expected[index], &shot, self.screens[index], COARSE);
             let best = best(&candidates);
-            (best.error < 0.4 * variance(&shot) && relief(&shot) > NEARLY_UNIFORM).then_some((index, best.placement))
+            (best.error < UNEXPLAINED * variance(&shot) && relief(&shot) > NEARLY_UNIFORM)
+                .then_some((index, best.placement))
         };
         (0..6).filter_map(placement).collect()
     }

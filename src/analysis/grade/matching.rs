@@ -7,15 +7,9 @@
 //! to its predicted value.
 
 use super::placement::{Placement, source_cells};
+use super::thresholds::decisive::{DEVIATIONS, NEARNESS, SURE_NOISE};
 use super::tone::Levels;
 use crate::envmap::{Face, Orientation, VOrigin};
-
-/// Deviations that decide: a large number, because misfits of neighbouring cells are correlated.
-const DECISIVE_DEVIATIONS: f64 = 12.0;
-/// Where the shot lies between the other prediction (0) and the best one (1), at least.
-const NEARNESS: f64 = 0.7;
-/// What codes are off by in any case: rounding, filtering, curves that are not quite met.
-const SURE_NOISE: f64 = 0.006;
 
 /// An image in cells.
 pub(super) struct ImageLevels(pub [Levels; 6]);
@@ -96,6 +90,12 @@ pub(super) fn possible(candidates: &[Candidate], shot: &[f32], side: usize) -> V
 
 /// True if the shot is decisively more like `best` than like `other`.
 fn excluded(best: &[f32], other: &[f32], shot: &[f32], noise: &[f64]) -> bool {
+    lead(best, other, shot, noise).is_some_and(|(nearness, deviations)| nearness > NEARNESS && deviations > DEVIATIONS)
+}
+
+/// Where the shot lies between `other` (0) and `best` (1), and the deviations by which it is more like `best`. `None` if the
+/// two are the same.
+pub(super) fn lead(best: &[f32], other: &[f32], shot: &[f32], noise: &[f64]) -> Option<(f64, f64)> {
     let (mut gain, mut predicted, mut variance) = (0.0, 0.0, 0.0);
     for index in 0..shot.len() {
         let (p, q, s) = (f64::from(best[index]), f64::from(other[index]), f64::from(shot[index]));
@@ -104,11 +104,11 @@ fn excluded(best: &[f32], other: &[f32], shot: &[f32], noise: &[f64]) -> bool {
         predicted += squared;
         variance += noise[index] * squared;
     }
-    predicted > 0.0 && gain > (2.0 * NEARNESS - 1.0) * predicted && gain > DECISIVE_DEVIATIONS * 2.0 * variance.sqrt()
+    (predicted > 0.0).then(|| ((gain / predicted + 1.0) / 2.0, gain / (2.0 * variance.sqrt())))
 }
 
 /// The mean square of the misfit in the 3 x 3 cells around each, by channel.
-fn noise_around(fitted: &[f32], shot: &[f32], side: usize) -> Vec<f64> {
+pub(super) fn noise_around(fitted: &[f32], shot: &[f32], side: usize) -> Vec<f64> {
     let squared: Vec<f64> = fitted.iter().zip(shot).map(|(a, b)| f64::from((a - b) * (a - b))).collect();
     let range = |index: usize| index.saturating_sub(1)..(index + 2).min(side);
     let mut noise = Vec::with_capacity(squared.len());

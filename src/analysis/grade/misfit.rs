@@ -1,17 +1,10 @@
 //! The appearance of a shot that shows no image of the map in any orientation.
 
+use super::thresholds::misfit::{ALL, ALL_BLACK, BLACK, PART, SAME};
 use super::thumbnail::{Codes, Middle};
 
+/// Cells of a side in which a shot is looked at.
 const SIDE: usize = 64;
-/// Codes up to here are black.
-const BLACK: f32 = 0.02;
-/// Neighbouring cells that differ by less are the same.
-const SAME: f32 = 0.004;
-/// A share of a shot that is worth naming.
-const PART: f64 = 0.2;
-
-/// All of it, but for rounding.
-const ALL: f64 = 0.95;
 
 /// What the shot looks like.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
@@ -37,7 +30,7 @@ impl Misfit {
     pub(super) fn of(shot: &Codes) -> Self {
         let cells = shot.reduced(Middle(1.0), SIDE);
         let black = share_of_cells(&cells, |[red, green, blue]| red.max(green).max(blue) <= BLACK);
-        if black > 0.98 {
+        if black > ALL_BLACK {
             return Self::Black;
         }
         if is_of_one_colour(&cells) {

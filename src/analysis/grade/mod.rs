@@ -4,7 +4,7 @@
 //! 2. [`field_of_view`] finds the field of view of the camera, or a missing division.
 //! 3. [`matching`] tries six images in eight orientations for each shot, and lists those that the pixels exclude.
 //! 4. [`explanation`] tells a wrong camera from a wrong lookup, [`alternative`] finds other explanations of the same
-//!    shots, [`misfit`] describes a shot without an image.
+//!    shots, [`misfit`] describes a shot without an image. [`thresholds`] has every threshold.
 
 mod alternative;
 mod cause;
@@ -13,6 +13,7 @@ mod field_of_view;
 mod matching;
 mod misfit;
 mod placement;
+mod thresholds;
 mod thumbnail;
 mod tone;
 
@@ -29,23 +30,15 @@ use explanation::{Evidence, Reading};
 use field_of_view::Views;
 use matching::{Candidate, ImageLevels, Screen, best, candidates, mean_square, possible, variance};
 use placement::on_screen;
+use thresholds::shown::{FLAT, MUCH_BETTER, NEGLIGIBLE, UNDIVIDED, UNEXPLAINED, WHITE};
 use thumbnail::{Codes, Middle};
 
 /// Cells of a side in which shots and images are compared.
 const SIDE: usize = 64;
 /// Cells in which it is judged whether a shot shows an image at all: aliasing averages out.
 const COARSE: usize = 16;
-/// Most of the variance that may be left unexplained.
-const UNEXPLAINED: f64 = 0.4;
-/// What may be left unexplained in any case, as a mean square of codes.
-const NEGLIGIBLE: f64 = 0.03 * 0.03;
-/// Variance of codes below which a picture is of one colour.
-const FLAT: f64 = 0.005 * 0.005;
 /// Side of the largest picture that is worked on.
 const LARGEST: usize = 512;
-
-/// Share of the variance that may be left unexplained before code without the division is thought of.
-const UNDIVIDED: f64 = 0.02;
 
 /// The middle of a shot, as a share of its side, in which code that neither divides nor halves shows the image alone: where
 /// `2 a / sqrt(1 + a^2)` is 1.
@@ -162,7 +155,7 @@ impl Grader {
         });
         let judged = found.map(|found| (self.views(&found.images, &found.shots).misfit(1.0), found));
         let best = judged.into_iter().min_by(|one, other| one.0.total_cmp(&other.0));
-        best.filter(|(left, _)| *left < 0.5 * misfit).map(|(_, found)| found)
+        best.filter(|(left, _)| *left < MUCH_BETTER * misfit).map(|(_, found)| found)
     }
 
     fn views<'a>(&self, images: &'a [Codes; 6], shots: &'a [Codes; 6]) -> Views<'a> {
@@ -230,7 +223,7 @@ fn shows_nothing(fitted: &[f32], shot: &[f32]) -> bool {
 /// What a shot of one colour may show: images of one colour, and anything where it is as bright as can be and may be cut
 /// off.
 fn flat_placements(candidates: &[Candidate], images: &ImageLevels, shot: &[f32]) -> Vec<Placement> {
-    let white = shot.iter().all(|&value| value > 0.98);
+    let white = shot.iter().all(|&value| value > WHITE);
     let flat = images.0.each_ref().map(|image| variance(image.values()) < FLAT);
     let shown = candidates.iter().map(|candidate| candidate.placement);
     shown.filter(|placement| white || flat[placement.image.index()]).collect()

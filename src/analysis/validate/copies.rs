@@ -8,6 +8,7 @@
 //! ```
 
 use super::borders::border::{Borders, display_of_map};
+use super::borders::display::Display;
 use super::thresholds::copies::{LEAST_DETAIL, SAME_DETAIL};
 use crate::envmap::{CubeMap, Face};
 use crate::error::Result;
@@ -25,27 +26,35 @@ const AROUND: usize = 2;
 #[derive(Debug, Clone, Copy)]
 pub struct Copies([Option<Face>; 6]);
 
+/// The fine detail of a picture, cell by cell, in codes.
+pub struct Detail(Vec<f32>);
+
 impl Copies {
     /// Compares the six images with each other.
     pub fn of(map: &CubeMap, borders: &Borders) -> Result<Self> {
+        let details = Self::details(map, borders)?;
+        let mut copies = [None; 6];
+        for (image, copy) in
+            Face::ALL.into_iter().zip(&mut copies).filter(|(image, _)| !borders[image.index()].is_flat())
+        {
+            for other in Face::ALL.into_iter().filter(|&other| other != image) {
+                let alike = details[image.index()].correlation(&details[other.index()]) >= SAME_DETAIL;
+                if alike || map.picture(image)?.texels() == map.picture(other)?.texels() {
+                    copy.get_or_insert(other);
+                }
+            }
+        }
+        Ok(Self(copies))
+    }
+
+    /// The fine detail of the six images.
+    pub fn details(map: &CubeMap, borders: &Borders) -> Result<[Detail; 6]> {
         let mut pictures = Vec::new();
         for image in Face::ALL {
             pictures.push(map.picture(image)?);
         }
-        let display = display_of_map(borders);
-        let brightness =
-            |picture: &Picture, x: usize, y: usize| display.encode(picture.texel(x, y)).iter().sum::<f32>() / 3.0;
-        let details = parallel::map(&pictures, |picture| detail(picture, &brightness));
-        let same = |one: Face, other: Face| {
-            let (one, other) = (one.index(), other.index());
-            pictures[one].texels() == pictures[other].texels()
-                || correlation(&details[one], &details[other]) >= SAME_DETAIL
-        };
-        let copy = |image: Face| {
-            let others = || Face::ALL.into_iter().filter(|&other| other != image);
-            (!borders[image.index()].is_flat()).then(|| others().find(|&other| same(image, other))).flatten()
-        };
-        Ok(Self(Face::ALL.map(copy)))
+        let details = parallel::map(&pictures, |picture| Detail::of(picture, display_of_map(borders)));
+        Ok(details.try_into().unwrap_or_else(|_| unreachable!("there are six images")))
     }
 
     /// Another image that shows the same as this one; `None` if there is none, or the image is flat.
@@ -54,32 +63,53 @@ impl Copies {
     }
 }
 
-/// The brightness of the cells less that around them, in codes.
-fn detail(picture: &Picture, brightness: &impl Fn(&Picture, usize, usize) -> f32) -> Vec<f32> {
-    let texel = |at: usize, count: usize| (2 * at + 1) * count / (2 * CELLS * SAMPLES);
-    let cell = |column: usize, row: usize| {
-        let inside = (0..SAMPLES * SAMPLES).map(|at| (SAMPLES * column + at % SAMPLES, SAMPLES * row + at / SAMPLES));
-        let codes = inside.map(|(x, y)| brightness(picture, texel(x, picture.width()), texel(y, picture.height())));
-        codes.sum::<f32>() / (SAMPLES * SAMPLES) as f32
-    };
-    let cells: Vec<f32> = (0..CELLS * CELLS).map(|at| cell(at % CELLS, at / CELLS)).collect();
-    let within = |at: usize| at.saturating_sub(AROUND)..=(at + AROUND).min(CELLS - 1);
-    let around = |column: usize, row: usize| {
-        let cells: Vec<f32> =
-            within(row).flat_map(|y| within(column).map(move |x| (x, y))).map(|(x, y)| cells[CELLS * y + x]).collect();
-        cells.iter().sum::<f32>() / cells.len() as f32
-    };
-    let fine: Vec<f32> = (0..CELLS * CELLS).map(|at| cells[at] - around(at % CELLS, at / CELLS)).collect();
-    let mean = |along: &dyn Fn(usize) -> usize| (0..CELLS).map(|at| fine[along(at)]).sum::<f32>() / CELLS as f32;
-    let rows: Vec<f32> = (0..CELLS).map(|row| mean(&|column| CELLS * row + column)).collect();
-    let columns: Vec<f32> = (0..CELLS).map(|column| mean(&|row| CELLS * row + column)).collect();
-    (0..CELLS * CELLS).map(|at| fine[at] - rows[at / CELLS] - columns[at % CELLS]).collect()
-}
+impl Detail {
+    fn of(picture: &Picture, display: Display) -> Self {
+        let texel = |at: usize, count: usize| (2 * at + 1) * count / (2 * CELLS * SAMPLES);
+        let brightness = |x: usize, y: usize| {
+            let linear = picture.texel(texel(x, picture.width()), texel(y, picture.height()));
+            display.encode(linear).iter().sum::<f32>() / 3.0
+        };
+        let cell = |column: usize, row: usize| {
+            let inside = (0..SAMPLES * SAMPLES)
+                .map(|at| brightness(SAMPLES * column + at % SAMPLES, SAMPLES * row + at / SAMPLES));
+            inside.sum::<f32>() / (SAMPLES * SAMPLES) as f32
+        };
+        let cells: Vec<f32> = (0..CELLS * CELLS).map(|at| cell(at % CELLS, at / CELLS)).collect();
+        // Less the mean around, then less the means of its row and its column.
+        let within = |at: usize| at.saturating_sub(AROUND)..(at + AROUND + 1).min(CELLS);
+        let around = |column: usize, row: usize| {
+            let sum = within(row).map(|y| within(column).map(|x| cells[CELLS * y + x]).sum::<f32>()).sum::<f32>();
+            sum / (within(row).len() * within(column).len()) as f32
+        };
+        let fine: Vec<f32> = (0..CELLS * CELLS).map(|at| cells[at] - around(at % CELLS, at / CELLS)).collect();
+        let mean = |along: &dyn Fn(usize) -> usize| (0..CELLS).map(|at| fine[along(at)]).sum::<f32>() / CELLS as f32;
+        let rows: Vec<f32> = (0..CELLS).map(|row| mean(&|column| CELLS * row + column)).collect();
+        let columns: Vec<f32> = (0..CELLS).map(|column| mean(&|row| CELLS * row + column)).collect();
+        Self((0..CELLS * CELLS).map(|at| fine[at] - rows[at / CELLS] - columns[at % CELLS]).collect())
+    }
 
-/// The correlation of two details, in `[-1, 1]`; 0 where one of them is hardly more than rounding.
-fn correlation(one: &[f32], other: &[f32]) -> f64 {
-    let product = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| f64::from(a * b)).sum::<f64>();
-    let (own, others) = (product(one, one), product(other, other));
-    let least = (CELLS * CELLS) as f64 * LEAST_DETAIL * LEAST_DETAIL;
-    if own.min(others) < least { 0.0 } else { product(one, other) / (own * others).sqrt() }
+    /// The correlation of two details, in `[-1, 1]`; 0 where one of them is hardly more than rounding.
+    pub fn correlation(&self, other: &Self) -> f64 {
+        let (own, others) = (self.strength(), other.strength());
+        let product = self.0.iter().zip(&other.0).map(|(a, b)| f64::from(a * b)).sum::<f64>() / self.0.len() as f64;
+        if own.min(others) < LEAST_DETAIL { 0.0 } else { product / (own * others) }
+    }
+
+    /// The root of its mean square, in codes.
+    pub fn strength(&self) -> f64 {
+        let squares: f64 = self.0.iter().map(|value| f64::from(value * value)).sum();
+        (squares / self.0.len() as f64).sqrt()
+    }
+
+    /// The same with noise of a standard deviation on every cell.
+    #[cfg(test)]
+    pub fn with_noise(&self, deviation: f32) -> Self {
+        let mut state = 1_u64;
+        let mut uniform = || {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            (state >> 40) as f32 / (1_u64 << 24) as f32 - 0.5
+        };
+        Self(self.0.iter().map(|value| value + deviation * 12.0_f32.sqrt() * uniform()).collect())
+    }
 }

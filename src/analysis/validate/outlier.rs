@@ -6,8 +6,8 @@ use super::copies::Copies;
 use super::seam::measure;
 use super::search::arrangement::{Arrangement, Problem};
 use super::thresholds::outlier::{
-    ANOTHER_PATTERN, COPY_RATIO, COPY_STEP, FAMILIAR, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT, OUTLIER_GLARING,
-    OUTLIER_STEP, STEP_RATIO, VISIBLE,
+    ANOTHER_PATTERN, COPY_RATIO, COPY_STEP, FAMILIAR, GAPING_SEAMS, KINDRED, OUTLIER, OUTLIER_COPY, OUTLIER_FLAT,
+    OUTLIER_GLARING, OUTLIER_STEP, STEP_RATIO, VISIBLE,
 };
 use super::thresholds::seam::UNDECIDED;
 use super::thresholds::verdict::TORN_STEP;
@@ -33,13 +33,19 @@ pub enum Reason {
     AnotherScene,
 }
 
-/// How a face fits among the others, in its best orientation.
+/// How a face fits among the others, in its best orientation: what the thresholds judge it by.
 #[cfg(test)]
 pub struct Judged {
     /// The mean fit of its four seams.
     pub fit: f64,
-    /// Their mean step.
+    /// The mean fit of the eight others.
+    pub others_fit: f64,
+    /// The mean step of its seams.
     pub step: f64,
+    /// The mean step of the eight others.
+    pub others_step: f64,
+    /// The mean score of its seams.
+    pub score: f64,
     /// Their mean cost, brightness apart.
     pub pattern: f64,
     /// The agreement of the brightness along them.
@@ -52,7 +58,10 @@ pub fn judge(problem: &Problem, images: &Borders, arrangement: &Arrangement, fac
     let (placed, fit) = best_orientation(problem, arrangement, face);
     Judged {
         fit,
+        others_fit: mean_fit(problem, &placed, face, false),
         step: mean_step(problem, images, &placed, face, true),
+        others_step: mean_step(problem, images, &placed, face, false),
+        score: mean_score(problem, images, &placed, face),
         pattern: pattern_cost(problem, &placed, face),
         agreement: agreement(problem, arrangement, face),
     }
@@ -123,7 +132,7 @@ pub fn fits_elsewhere(
 /// whose seam with it closes: then nobody can say which. A face in grey or exposed otherwise keeps its patterns.
 pub fn gapes(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
     let touching = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
-    touching.filter(|&edge| problem.fit(arrangement, edge) > UNDECIDED).count() >= 3
+    touching.filter(|&edge| problem.fit(arrangement, edge) > UNDECIDED).count() >= GAPING_SEAMS
         && mean_score(problem, images, arrangement, face) >= VISIBLE
         && pattern_cost(problem, arrangement, face) >= ANOTHER_PATTERN
         && agreement(problem, arrangement, face) < KINDRED
@@ -133,7 +142,7 @@ pub fn gapes(problem: &Problem, images: &Borders, arrangement: &Arrangement, fac
 /// orientation.
 fn glares(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face) -> bool {
     let glaring = |&edge: &usize| Edge::ALL[edge].touches(face) && is_glaring(problem, images, arrangement, edge);
-    (0..12).filter(glaring).count() >= 3 && agreement(problem, arrangement, face) < KINDRED
+    (0..12).filter(glaring).count() >= GAPING_SEAMS && agreement(problem, arrangement, face) < KINDRED
 }
 
 /// True if a face of one colour, or one whose borders fit others as well, glares, and its seams step much further than those
@@ -190,8 +199,7 @@ fn copied(
             continue;
         };
         let (placed, _) = best_orientation(problem, arrangement, face);
-        let away = |of: Face, from: Face| step_away_from(problem, images, &placed, of, from);
-        let (gaping, closing) = (away(face, original), away(original, face));
+        let (gaping, closing) = copy_steps(problem, images, &placed, face, original);
         let others_fit = mean_fit(problem, &placed, face, false) <= FAMILIAR;
         let gapes = others_fit && gaping >= COPY_STEP && gaping >= COPY_RATIO * closing;
         if gapes && worst.is_none_or(|(step, _)| gaping > step) {
@@ -199,6 +207,12 @@ fn copied(
         }
     }
     worst.map(|(_, outlier)| (outlier, arrangement.with_orientation(outlier.face, 0)))
+}
+
+/// The mean steps of the seams of a copy and of its original.
+pub fn copy_steps(problem: &Problem, images: &Borders, placed: &Arrangement, face: Face, original: Face) -> (f64, f64) {
+    let away = |of: Face, from: Face| step_away_from(problem, images, placed, of, from);
+    (away(face, original), away(original, face))
 }
 
 /// The mean step of the seams of a face but for the one towards another: a copy beside its original may close that one.

@@ -3,7 +3,7 @@
 use super::borders::border::{ImageBorders, Row, mean_step};
 use super::borders::edge::{Border, Edge};
 use super::search::arrangement::{Arrangement, Problem};
-use super::thresholds::seam::{BROKEN_COST, BROKEN_FACTOR, LEAST_DETAIL, UNDECIDED};
+use super::thresholds::seam::{BROKEN_COST, BROKEN_FACTOR, LEAST_DETAIL, NOTHING, UNDECIDED};
 use super::verdict::Verdict;
 use crate::digits::digits;
 
@@ -105,8 +105,6 @@ impl Problem {
     pub fn fit(&self, arrangement: &Arrangement, edge: usize) -> f64 {
         let (images, borders) = self.ends(arrangement, edge);
         let outliers = (0..2).map(|end| self.costs.mean_with_others(images[end], borders[end].side)).sum::<f64>() / 2.0;
-        // The cost of rounding errors alone.
-        const NOTHING: f64 = 2.0;
         (self.edge_cost(arrangement, edge) + NOTHING) / (outliers + NOTHING)
     }
 }

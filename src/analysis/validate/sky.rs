@@ -3,14 +3,13 @@
 
 use super::borders::border::{Borders, display_of_map};
 use super::borders::edge::{Border, Side};
+use super::thresholds::sky::{CODES, CONTRAST, CONTRAST_RATIO};
 use crate::envmap::{CubeMap, Face, Lookup, SignedAxis, VOrigin};
 use crate::error::Result;
 use crate::math::functions::logarithm;
 
 /// Rows and columns of the grid on which an image is looked at.
 const GRID: usize = 24;
-/// Codes of brightness that count as much as a factor of e in detail.
-const CODES: f64 = 64.0;
 
 /// What the images look like from afar.
 #[derive(Debug, Clone)]
@@ -56,7 +55,7 @@ impl Sky {
             })
             .collect();
         pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let clear = pairs[0].0 > 1.0 && pairs[0].0 > 1.5 * pairs[1].0;
+        let clear = pairs[0].0 > CONTRAST && pairs[0].0 > CONTRAST_RATIO * pairs[1].0;
         clear.then_some(pairs[0].1)
     }
 }

@@ -173,7 +173,7 @@ impl Search<'_> {
     fn outlier(&self, arrangement: &Arrangement) -> Option<(Outlier, Arrangement)> {
         let found = outlier::find(self.copies, self.problem, self.images, arrangement);
         let (outlier, _) = found.as_ref()?;
-        if outlier.reason != Reason::AnotherScene {
+        if outlier.reason == Reason::Flat {
             return found;
         }
         // A frame that was seen around some of the images only would make them outliers to the others: the finding

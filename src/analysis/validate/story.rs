@@ -8,18 +8,10 @@ use std::fmt;
 
 use super::search::arrangement::Arrangement;
 use super::search::convention::{Convention, Order};
+use super::thresholds::story::{
+    DIAGONAL, EXCHANGE, EXCHANGE_OF_FREE_NAMES, EXCHANGE_OF_OPPOSITES, FLIP, MOST_FAULTS, TURN,
+};
 use crate::envmap::{Face, Orientation};
-
-/// Two files of opposite faces in each other's place: left and right, front and back, top and bottom are easily mixed up.
-const EXCHANGE_OF_OPPOSITES: u32 = 20;
-/// Two other files in each other's place.
-const EXCHANGE: u32 = 26;
-/// The same where names cost nothing: enough to prefer files that stay where they are.
-const EXCHANGE_OF_FREE_NAMES: u32 = 1;
-const TURN: u32 = 30;
-const FLIP: u32 = 40;
-/// A mirroring about a diagonal, which nobody does by mistake.
-const DIAGONAL: u32 = 50;
 
 /// An order, and the faults on top of it.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -32,9 +24,6 @@ pub struct Story {
     pub edited: Vec<Face>,
     pub(crate) cost: u32,
 }
-
-/// The faults that an order leaves at most: with more of them it explains nothing.
-const MOST_FAULTS: usize = 2;
 
 impl Story {
     /// The shortest story that ends in this arrangement.

@@ -11,17 +11,8 @@
 //! Coefficient of Correlation Deduced from a Small Sample", 1921): the common part of two orientations is evidence for
 //! neither, for instance in a border that is bright at both ends and dark in the middle.
 
+use super::super::thresholds::agreement::{HIGHEST, LEAST_SPREAD, MOST, TREND};
 use crate::math::functions::logarithm;
-
-/// The most that a single seam can tell: one alone decides nothing.
-pub const MOST: f32 = 8.0;
-/// What the mean, the scale and a trend take off the independent texels (Fisher: n - 3 for a correlation). A border that only
-/// grows brighter counts as 4.4 of them by the formula, so a trend is little evidence: 2.7 a seam.
-const TREND: f32 = 3.0;
-/// The highest correlation that is believed when two are compared: nearer to 1 Fisher's approximation exaggerates.
-const HIGHEST: f32 = 0.9;
-/// The least spread of the brightness along a border that is not rounding, in display units.
-const LEAST_SPREAD: f32 = 0.5;
 
 /// The ranks of the brightness along a border.
 #[derive(Debug, Clone)]

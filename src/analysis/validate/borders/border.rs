@@ -7,6 +7,7 @@
 //!     2        . . . . . . . .          7, 8          of JPEG files: both sides of the first block boundary
 //! ```
 
+use super::super::thresholds::frame::{DARKER, MOST_TEXELS, PLAIN, SAME_COLOUR};
 use super::display::{Display, is_radiance};
 use super::edge::Side;
 use crate::envmap::{CubeMap, Face, FaceLookup, FacePoint, Lookup};
@@ -157,14 +158,14 @@ fn read_image(lookup: &Lookup, image: Face, picture: &Picture, display: Display)
 /// it is darker nearly everywhere.
 fn is_framed(sides: &[BorderRows; 4]) -> bool {
     let colour = sides[0].outer[0][0];
-    let near = |texel: &[f32; 3]| texel.iter().zip(&colour).all(|(one, other)| (one - other).abs() < 12.0);
-    let most = |rows: &BorderRows, count: usize| 10 * count > 9 * rows.outer[0].len();
+    let near = |texel: &[f32; 3]| texel.iter().zip(&colour).all(|(one, other)| (one - other).abs() < SAME_COLOUR);
+    let most = |rows: &BorderRows, count: usize| count as f64 > MOST_TEXELS * rows.outer[0].len() as f64;
     let plain = sides.iter().all(|rows| most(rows, rows.outer[0].iter().filter(|texel| near(texel)).count()));
     let darker = |rows: &BorderRows| {
         let [first, second, ..] = &rows.outer;
         most(rows, first.iter().zip(second).filter(|(one, other)| sum(one) < sum(other)).count())
     };
-    let (factor, least) = if plain { (1.5, 4.0) } else { (4.0, 6.0) };
+    let (factor, least) = if plain { PLAIN } else { DARKER };
     let abrupt = |rows: &BorderRows| {
         let [first, second, third, _] = &rows.outer;
         mean_step(first, second) > factor * mean_step(second, third) + least

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::super::thresholds::story::{ANNOUNCED, LIKE_AN_EXCHANGE, MIRRORED, NUMBERED, OTHER_TABLE, SIDEWAYS};
 use super::arrangement::Arrangement;
 use super::symmetry::orientation_between;
 use crate::envmap::{Face, Lookup, Preset, SignedAxis};
@@ -60,19 +61,6 @@ pub struct Hints {
     /// Names mean nothing: numbers, cells of a strip.
     pub free_names: bool,
 }
-
-/// Assuming an order that the names or the format of the files announce.
-const ANNOUNCED: u32 = 5;
-/// Assuming a usual order of numbers or cells, which have no names: less than to tell the same file by file.
-const NUMBERED: u32 = 2;
-/// Assuming the table of another lookup for an upright world.
-const OTHER_TABLE: u32 = 10;
-/// As much as two files exchanged: where both explain a map, the pictures decide.
-const LIKE_AN_EXCHANGE: u32 = 20;
-/// Under a table that turns the world on its side.
-const SIDEWAYS: u32 = 25;
-/// Six mirrored files: more than two exchanged ones, which look the same, but for a mirror.
-const MIRRORED: u32 = 35;
 
 impl Convention {
     const ALL: [Self; 13] = [

@@ -31,7 +31,7 @@ impl Comparison {
     }
 
     /// What the costs and the patterns along the borders tell together: a logarithm of likelihood.
-    fn likelihood(&self) -> f64 {
+    pub fn likelihood(&self) -> f64 {
         let errors = self.standard_errors();
         errors * errors / 2.0 + self.agreement
     }
