@@ -228,20 +228,15 @@ fn judged_by(path: &Path, lookup: Preset) -> Photographs {
     Photographs { name, side: map.picture(Face::PosX).unwrap().width(), bytes: bytes.into(), grader }
 }
 
-/// True to try all cases on all maps, which takes minutes: `SKYCUBE_THOROUGH=1 cargo test --release --test grade`.
-fn thorough() -> bool {
-    std::env::var_os("SKYCUBE_THOROUGH").is_some()
-}
-
 /// The numbers of the cases to try: every fifth, unless all are asked for.
 fn cases(count: usize) -> impl Iterator<Item = usize> {
-    (0..count).step_by(if thorough() { 1 } else { 5 })
+    (0..count).step_by(if common::thorough() { 1 } else { 5 })
 }
 
 fn maps() -> Vec<Photographs> {
     let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps");
     let mut paths = vec![own.join("compass"), own.join("courtyard")];
-    if thorough() {
+    if common::thorough() {
         paths.extend(common::shared_map("Meadow.zip"));
         paths.extend(common::shared_map("clouds-dusk"));
     }
@@ -328,7 +323,7 @@ fn exchanged_images_are_named() {
     for photographs in maps() {
         let mut row = Row::default();
         let pairs = (0..6).flat_map(|one| (0..one).map(move |other| (one, other)));
-        for (number, (one, other)) in pairs.enumerate().step_by(if thorough() { 1 } else { 5 }) {
+        for (number, (one, other)) in pairs.enumerate().step_by(if common::thorough() { 1 } else { 5 }) {
             let mut student = RIGHT.varied(number);
             (student.faces[one].0, student.faces[other].0) = (other, one);
             student.faces[random.below(6)].1 = random.below(8);
@@ -400,7 +395,7 @@ fn a_wrong_field_of_view_is_measured() {
 fn a_missing_division_is_named() {
     for photographs in maps() {
         let mut row = Row::default();
-        for number in cases(40) {
+        for number in cases(if common::thorough() { 40 } else { 20 }) {
             let mut student = Student { divides: false, ..RIGHT }.varied(number);
             student.faces[number % 6].1 = number / 6 % 8;
             let grade = student.grade(&photographs);

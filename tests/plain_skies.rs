@@ -83,11 +83,12 @@ fn check_skies(amplitudes: &[f32], noises: &[f64], sizes: &[usize]) {
 
 #[test]
 fn turned_faces_in_nearly_flat_skies_are_never_put_wrong() {
-    check_skies(&[2.0, 10.0], &[0.5, 2.0], &[64, 256]);
+    check_skies(&[2.0, 10.0], &[0.5, 2.0], &[64]);
+    check_skies(&[10.0], &[0.5], &[256]);
 }
 
 #[test]
-#[ignore = "minutes"]
+#[ignore = "whole table: minutes"]
 fn turned_faces_in_many_nearly_flat_skies_are_never_put_wrong() {
     check_skies(&[1.0, 2.0, 4.0, 8.0, 16.0, 32.0], &[0.0, 0.5, 1.0, 2.0, 4.0], &[64, 128, 256]);
 }

@@ -162,7 +162,7 @@ fn the_story_told_is_the_one_that_happened() {
 }
 
 #[test]
-#[ignore = "minutes: all maps at hand"]
+#[ignore = "whole table: minutes for all maps at hand"]
 fn the_stories_of_all_maps() {
     for size in [64, 256] {
         println!("{} other stories", run(&[], size, &ORDERS.each_ref()));

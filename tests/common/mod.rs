@@ -30,6 +30,11 @@ pub fn text(bytes: &[u8]) -> String {
     String::from_utf8(bytes.to_vec()).unwrap()
 }
 
+/// True to try whole tables, which takes minutes: `SKYCUBE_THOROUGH=1 cargo test --profile thorough`.
+pub fn thorough() -> bool {
+    std::env::var_os("SKYCUBE_THOROUGH").is_some()
+}
+
 /// A file or folder among the real environment maps, which are not part of this repository. They are looked for in the
 /// folder that `SKYCUBE_SHARED_MAPS` names, or in `../shared/envmaps` beside the repository. Where it is missing, says
 /// that the test is skipped and gives `None`.

@@ -61,7 +61,7 @@ pub fn right_maps() -> Vec<(&'static str, Map)> {
         ("openexr/OrientationCube.exr", openexr, 0),
     ];
     let project = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps").join(name);
-    let mut maps: Vec<(&'static str, PathBuf, [Face; 6], usize)> = ["compass", "courtyard"]
+    let mut maps: Vec<(&'static str, PathBuf, [Face; 6], usize)> = ["compass", "courtyard", "hall", "night", "seaside"]
         .map(|name| (name, project(name), own, 0))
         .into_iter()
         .filter(|map| map.1.exists())

@@ -107,7 +107,7 @@ pub fn find(
                 && mean_step(problem, images, placed, face, true) >= OUTLIER_STEP
         }
         Reason::Flat => mean_step(problem, images, placed, face, true) >= OUTLIER_STEP,
-        Reason::CopyOf(_) => true,
+        Reason::CopyOf(_) => mean_step(problem, images, placed, face, true) >= COPY_STEP,
     };
     ((*stands_out || fit >= threshold) && unlike)
         .then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0)))
