@@ -13,7 +13,8 @@ use super::search::arrangement::{Arrangement, Problem};
 use super::search::convention::{self, Hints, mirrored_faces};
 use super::sky::Sky;
 use super::solve::{Search, Solution, Unsettled};
-use super::thresholds::verdict::{TELLING_FACES, UNDECIDABLE_SEAMS, UNRELATED};
+use super::thresholds::seam::ROUGH;
+use super::thresholds::verdict::{ROUGH_SEAMS, TELLING_FACES, UNDECIDABLE_SEAMS, UNRELATED};
 use super::verdict::Verdict;
 use crate::envmap::source::Skybox;
 use crate::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset, VOrigin};
@@ -114,7 +115,11 @@ fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Ch
     let stands_out = |&face: &Face| outlier::stands_out(problem, borders, found, face);
     let gapes = |&face: &Face| outlier::gapes(problem, borders, found, face);
     let undecidable = check.seams.iter().filter(|seam| seam.verdict == Verdict::Undecidable).count();
+    // What neither continues nor tells any orientation for certain may be anything.
+    let rough = check.seams.iter().filter(|seam| seam.score > ROUGH).count();
+    let is_vague = rough >= ROUGH_SEAMS && !check.fix.faces.iter().any(|face| face.decided);
     let tells = related
+        && !is_vague
         && solution.telling_faces() >= TELLING_FACES
         && undecidable < UNDECIDABLE_SEAMS
         && !Face::ALL.iter().any(gapes);

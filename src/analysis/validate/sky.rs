@@ -29,8 +29,8 @@ impl Sky {
         Ok(sky)
     }
 
-    /// How far the sky lies above under a lookup, in hundredths of a factor of e: the sides are lighter towards the axis
-    /// that points up, and what lies there is plainer and lighter than what lies below.
+    /// How far the sky lies above under a lookup, in whole factors of e: the sides are lighter towards the axis that points
+    /// up, and what lies there is plainer and lighter than what lies below. 0 where the pictures hardly tell, as indoors.
     pub fn above(&self, lookup: &Lookup, up: SignedAxis) -> i64 {
         let [top, bottom] = [true, false].map(|above| Face::on_axis(usize::from(up.axis), above != up.negative));
         let sides = Face::ALL.into_iter().filter(|side| side.axis() != top.axis());
@@ -41,7 +41,7 @@ impl Sky {
         };
         let skyness = |face: Face| self.skyness[lookup.row(face).image.index()];
         let sum = sides.map(lighter).sum::<f64>() + skyness(top) - skyness(bottom);
-        (100.0 * sum).round() as i64
+        sum.round() as i64
     }
 
     /// The image that seems to show the sky under a lookup: clearly more so than the one opposite, and than the other

@@ -128,6 +128,9 @@ pub mod verdict {
     pub const REPAIRED: f64 = 1.0 / 3.0;
     /// Undecidable seams from which on a map does not fit: half of them. Measured: right maps have none.
     pub const UNDECIDABLE_SEAMS: usize = 6;
+    /// Rough seams from which on a map of which no face is decided does not fit: half of them. Measured: such right maps
+    /// have 2; pictures blurred over a quarter of their width have 12.
+    pub const ROUGH_SEAMS: usize = 6;
 }
 
 /// What happened to the files: [`super::story`] and [`super::search::convention`]. The costs order stories and mean nothing

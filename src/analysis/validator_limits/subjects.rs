@@ -20,7 +20,7 @@ pub const SUBJECTS: &[Subject] = &[
     subject("check-gamma", "gamma", Range::new(0.8, 1.25), gamma),
     subject("check-frame", "width of a frame, texels", Range::new(1.0, 1.0), frame),
     subject("check-flat", "flat share of side borders", Range::new(0.1, 0.25), flat),
-    subject("check-copies", "noise on a copied face", Range::new(0.1, 8.0), copies),
+    subject("check-copies", "noise on a copied face", Range::new(0.1, 2.0), copies),
 ];
 
 /// Texels along a face where nothing else is said.
