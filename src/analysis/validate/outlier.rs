@@ -113,7 +113,8 @@ pub fn find(
         .then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0)))
 }
 
-/// True if the best arrangement takes the image of a face elsewhere, and it fits there: two files were exchanged.
+/// True if the image of a face fits where the best arrangement has it, among other images: files were exchanged. The place
+/// does not matter, since the whole cube may be turned.
 pub fn fits_elsewhere(
     problem: &Problem,
     images: &Borders,
@@ -122,9 +123,8 @@ pub fn fits_elsewhere(
     face: Face,
 ) -> bool {
     let image = given.images[face.index()];
-    best.face_of(image).is_some_and(|place| {
-        place != face && mean_fit(problem, best, place, true) <= FAMILIAR && !gapes(problem, images, best, place)
-    })
+    let fits = |place| mean_fit(problem, best, place, true) <= FAMILIAR && !gapes(problem, images, best, place);
+    best.images != given.images && best.face_of(image).is_some_and(fits)
 }
 
 /// True if at least three of a face's seams go as well with most other borders, are seen, and neither their patterns nor
