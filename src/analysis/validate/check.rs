@@ -104,7 +104,7 @@ fn fix_of(solution: &Solution, given: &Arrangement, v_origin: VOrigin, seams_aft
 
 /// Broken if the fix changes anything, a face does not belong, seams gape or no graphics library takes these sizes; else
 /// the map fits if the pixels of at least half of the faces tell most orientations from the one found, what is found looks
-/// like a map at all, and no face gapes. Where the pixels tell less, a face that stands out is a fault all the same.
+/// like a map at all, and no face gapes. A face that stands out is a fault, however much the others tell.
 fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Check, given: &Arrangement) -> Verdict {
     let found = &solution.arrangement;
     let torn = solution.unsettled == Some(Unsettled::Torn);
@@ -124,8 +124,8 @@ fn verdict(problem: &Problem, borders: &Borders, solution: &Solution, check: &Ch
         && undecidable < UNDECIDABLE_SEAMS
         && !Face::ALL.iter().any(gapes);
     match tells && solution.unsettled.is_none() {
+        _ if Face::ALL.iter().any(stands_out) => Verdict::Broken,
         true => Verdict::Fits,
-        false if Face::ALL.iter().any(stands_out) => Verdict::Broken,
         false => Verdict::Undecidable,
     }
 }

@@ -100,17 +100,18 @@ pub fn find(
         None if images[image.index()].is_flat() => (Reason::Flat, OUTLIER_FLAT, *fit),
         None => (Reason::AnotherScene, OUTLIER, *fit),
     };
-    let unlike = match reason {
-        Reason::AnotherScene => {
-            pattern_cost(problem, placed, face) >= ANOTHER_PATTERN
-                && agreement(problem, arrangement, face) < KINDRED
-                && mean_step(problem, images, placed, face, true) >= OUTLIER_STEP
-        }
-        Reason::Flat => mean_step(problem, images, placed, face, true) >= OUTLIER_STEP,
-        Reason::CopyOf(_) => mean_step(problem, images, placed, face, true) >= COPY_STEP,
-    };
+    let another_pattern =
+        pattern_cost(problem, placed, face) >= ANOTHER_PATTERN && agreement(problem, arrangement, face) < KINDRED;
+    let unlike = (reason != Reason::AnotherScene || another_pattern)
+        && (*stands_out || steps_away(problem, images, placed, face, reason));
     ((*stands_out || fit >= threshold) && unlike)
         .then(|| (Outlier { face, reason }, arrangement.with_orientation(face, 0)))
+}
+
+/// True if the seams of a face step as far as those of an image that does not belong.
+pub fn steps_away(problem: &Problem, images: &Borders, arrangement: &Arrangement, face: Face, reason: Reason) -> bool {
+    let least = if matches!(reason, Reason::CopyOf(_)) { COPY_STEP } else { OUTLIER_STEP };
+    mean_step(problem, images, arrangement, face, true) >= least
 }
 
 /// True if the image of a face fits where the best arrangement has it, among other images: files were exchanged. The place

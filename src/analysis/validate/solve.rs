@@ -143,6 +143,10 @@ impl Search<'_> {
         // Equal texels are not chance, and nobody overlooks a face that stands out, whatever the other faces tell.
         let found = solution.arrangement;
         let stands_out = outlier::stands_out(self.problem, self.images, &found, face);
+        // What does not fit elsewhere may fit where it is.
+        if !stands_out && !outlier::steps_away(self.problem, self.images, &found, face, outlier.reason) {
+            return Ok(None);
+        }
         let certain = matches!(outlier.reason, Reason::CopyOf(_))
             || self.tells(&solution)
             || (stands_out && (found == self.given() || self.is_torn(&self.given(), &found)));
