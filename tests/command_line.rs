@@ -154,6 +154,22 @@ fn an_interrupted_progressive_rendering_writes_what_is_there_and_marks_it() {
     }
 }
 
+#[cfg(unix)]
+#[test]
+fn a_file_over_the_limit_of_the_shell_is_an_error() {
+    let folder = tempfile::tempdir().unwrap();
+    let limited = "ulimit -f 1; exec \"$0\" \"$@\"";
+    let output = Command::new("bash")
+        .args(["-c", limited, env!("CARGO_BIN_EXE_skycube"), "render", LESSON, "--size", "200x100", "-o", "a.png"])
+        .current_dir(folder.path())
+        .output()
+        .unwrap();
+    let error = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert!(error.contains("a.png: cannot write: File too large"), "{error}");
+    assert_eq!(files(folder.path()), [""; 0]);
+}
+
 #[test]
 fn layers_lie_beside_the_picture_in_exr_files_only() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,25 +1,32 @@
-//! Ctrl-C: asks the running command to stop; no target is ever half-written.
+//! Signals: Ctrl-C asks the running command to stop or ends it, and no file is ever half-written.
 //!
-//! A command that checks for Ctrl-C stops cleanly. Any other, or a second Ctrl-C, ends it at once: during a write,
-//! `.skycube-*.partial` may stay beside a target, which is the old file or the new one.
+//! A command that watches for Ctrl-C stops cleanly at the first one. Any other command, or a second Ctrl-C, ends the process at
+//! once, but for a file that is just being written: that is finished first.
 
-use std::sync::Once;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-static REQUESTED: AtomicBool = AtomicBool::new(false);
-static INSTALL: Once = Once::new();
+use crate::picture::between_writes;
 
-/// From now on Ctrl-C is noted instead of ending the process.
-pub fn watch() {
-    INSTALL.call_once(|| {
-        // Without a handler Ctrl-C ends the process at once, which breaks no target either: files are renamed into place.
-        let _ = ctrlc::set_handler(|| {
-            // Asked a second time, do not wait for the work in hand.
-            if REQUESTED.swap(true, Ordering::Relaxed) {
-                std::process::exit(130);
-            }
-        });
+static WATCHED: AtomicBool = AtomicBool::new(false);
+static REQUESTED: AtomicBool = AtomicBool::new(false);
+
+/// Sets up the signals. Without the handlers, which a system may refuse, they end the process as usual.
+pub fn handle() {
+    let _ = ctrlc::set_handler(|| {
+        let is_first = !REQUESTED.swap(true, Ordering::Relaxed);
+        if !(is_first && WATCHED.load(Ordering::Relaxed)) {
+            between_writes(|| std::process::exit(130));
+        }
     });
+    // A file over the limit that the shell sets is then an error of the write that meets it.
+    #[cfg(unix)]
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::new(AtomicBool::new(false)));
+}
+
+/// From now on the first Ctrl-C is noted instead of ending the process.
+pub fn watch() {
+    WATCHED.store(true, Ordering::Relaxed);
 }
 
 /// True once Ctrl-C was pressed.

@@ -80,6 +80,7 @@ enum Command {
 /// Runs the command line of this process.
 pub fn run() -> ExitCode {
     let arguments = CommandLine::parse();
+    interrupt::handle();
     if let Some(bytes) = arguments.memory {
         set_memory_budget(bytes);
     }

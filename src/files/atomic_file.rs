@@ -2,8 +2,23 @@
 
 use std::io::Write;
 use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::error::{Error, Result};
+
+/// Held while temporary files lie beside their targets.
+static WRITING: Mutex<()> = Mutex::new(());
+
+/// Calls `then` while nothing is being written: the place to end the process, which then leaves no temporary file.
+pub fn between_writes<T>(then: impl FnOnce() -> T) -> T {
+    let _guard = lock();
+    then()
+}
+
+/// A thread that panicked while it wrote left nothing behind that the next one must know of.
+fn lock() -> MutexGuard<'static, ()> {
+    WRITING.lock().unwrap_or_else(PoisonError::into_inner)
+}
 
 /// Writes a file in one step: the bytes go to a temporary file beside the target, which then takes its name. At
 /// every moment the target is the whole old file or the whole new one. The permissions are those of any new file (`umask`).
@@ -14,6 +29,7 @@ pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
 /// Writes files that belong together: all of them lie beside their targets, whole, before the first takes its name. A full
 /// disk leaves none of them.
 pub fn write_together<'a>(files: impl IntoIterator<Item = (&'a Path, &'a [u8])>) -> Result<()> {
+    let _guard = lock();
     let mut ready = Vec::new();
     for (path, bytes) in files {
         check_target(path)?;
@@ -67,6 +83,7 @@ pub fn folder_of(path: &Path) -> &Path {
 
 /// As [`write_atomically`], but a file that is there stays as it is: then nothing is written, and false is given back.
 pub fn write_if_absent(path: &Path, bytes: &[u8]) -> Result<bool> {
+    let _guard = lock();
     let file = temporary_beside(path, bytes).map_err(|error| cannot_write(path, &error))?;
     match file.persist_noclobber(path) {
         Ok(_) => Ok(true),
@@ -108,6 +125,19 @@ mod tests {
         write_atomically(&path, b"new").unwrap();
         assert_eq!(std::fs::read(&path).unwrap(), b"new");
         assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[test]
+    fn between_writes_no_temporary_file_lies_beside_a_target() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("picture.png");
+        std::thread::scope(|scope| {
+            let writer = scope.spawn(|| (0..300).for_each(|_| write_atomically(&path, &[7; 100_000]).unwrap()));
+            while !writer.is_finished() {
+                let files = between_writes(|| std::fs::read_dir(folder.path()).unwrap().count());
+                assert!(files <= 1, "{files}");
+            }
+        });
     }
 
     #[test]

@@ -18,7 +18,8 @@ pub mod document;
 pub mod picture;
 
 pub use atomic_file::{
-    check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent, write_together,
+    between_writes, check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent,
+    write_together,
 };
 pub use notes::{note, take_notes};
 pub use plain_file::{check_plain, read_plain_file};

@@ -23,7 +23,6 @@ fn every_promise_is_kept() {
 }
 
 #[test]
-#[ignore = "open question: near copies of a face, and a face flipped before strong compression, are said to fit"]
 fn the_validator_is_never_wrong() {
     for subject in validator_limits::SUBJECTS {
         let case = subject.measured(Effort { rays: 20_000 });

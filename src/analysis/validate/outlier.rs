@@ -90,15 +90,12 @@ pub fn find(
         return None;
     }
     let image = placed.images[worst];
-    let copy = copies.of_image(image);
-    let (reason, threshold, fit) = match copy {
+    let reason = reason(copies, images, image);
+    let (threshold, fit) = match reason {
         // A mirrored copy of its original closes the seam between the two, which is no evidence.
-        Some(other) => {
-            let original = placed.face_of(other);
-            (Reason::CopyOf(other), OUTLIER_COPY, fit_without(problem, arrangement, face, original))
-        }
-        None if images[image.index()].is_flat() => (Reason::Flat, OUTLIER_FLAT, *fit),
-        None => (Reason::AnotherScene, OUTLIER, *fit),
+        Reason::CopyOf(other) => (OUTLIER_COPY, fit_without(problem, arrangement, face, placed.face_of(other))),
+        Reason::Flat => (OUTLIER_FLAT, *fit),
+        Reason::AnotherScene => (OUTLIER, *fit),
     };
     let another_pattern =
         pattern_cost(problem, placed, face) >= ANOTHER_PATTERN && agreement(problem, arrangement, face) < KINDRED;
@@ -155,6 +152,22 @@ pub fn stands_out(problem: &Problem, images: &Borders, arrangement: &Arrangement
         && glares(problem, images, arrangement, face)
         && step(true) >= STEP_RATIO * step(false)
         && images.iter().all(|image| image.framed == images[0].framed)
+}
+
+/// The only face that stands out; `None` if none does, or several do.
+pub fn sole(copies: &Copies, problem: &Problem, images: &Borders, arrangement: &Arrangement) -> Option<Outlier> {
+    let mut standing = Face::ALL.into_iter().filter(|&face| stands_out(problem, images, arrangement, face));
+    let face = standing.next().filter(|_| standing.next().is_none())?;
+    Some(Outlier { face, reason: reason(copies, images, arrangement.images[face.index()]) })
+}
+
+/// What an image that does not belong is instead.
+fn reason(copies: &Copies, images: &Borders, image: Face) -> Reason {
+    match copies.of_image(image) {
+        Some(other) => Reason::CopyOf(other),
+        None if images[image.index()].is_flat() => Reason::Flat,
+        None => Reason::AnotherScene,
+    }
 }
 
 fn is_glaring(problem: &Problem, images: &Borders, arrangement: &Arrangement, edge: usize) -> bool {

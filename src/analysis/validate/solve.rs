@@ -92,7 +92,10 @@ impl Search<'_> {
         if found == given {
             let doubtful = self.doubtful(&best, &given);
             let unsettled = (!doubtful.is_empty()).then_some(Unsettled::Faint);
-            return Ok(Solution { unsettled, doubtful, ..solution });
+            // A face that may only be turned is not blamed.
+            let sole = || outlier::sole(self.copies, self.problem, self.images, &given);
+            let outlier = doubtful.is_empty().then(sole).flatten();
+            return Ok(Solution { outlier, unsettled, doubtful, ..solution });
         }
         if related && (self.tells(&solution) || self.is_torn(&given, &found)) {
             return Ok(solution);
@@ -128,9 +131,11 @@ impl Search<'_> {
     fn around_outlier(&self, reference: &Arrangement, best: &Arrangement) -> Result<Option<Solution>> {
         let Some((outlier, reference)) = self.outlier(reference) else { return Ok(None) };
         let image = reference.images[outlier.face.index()];
-        // Were the others wrong too, the face would be one of several that changed places; so it is if it fits elsewhere.
+        // Were the others wrong too, the face would be one of several that changed places; so it is if it fits elsewhere,
+        // as a copy does wherever its original fits.
+        let is_copy = matches!(outlier.reason, Reason::CopyOf(_));
         if self.problem.compare_without(best, &reference, &[image]).is_decisive()
-            || outlier::fits_elsewhere(self.problem, self.images, &reference, best, outlier.face)
+            || (!is_copy && outlier::fits_elsewhere(self.problem, self.images, &reference, best, outlier.face))
         {
             return Ok(None);
         }
@@ -147,7 +152,7 @@ impl Search<'_> {
         if !stands_out && !outlier::steps_away(self.problem, self.images, &found, face, outlier.reason) {
             return Ok(None);
         }
-        let certain = matches!(outlier.reason, Reason::CopyOf(_))
+        let certain = is_copy
             || self.tells(&solution)
             || (stands_out && (found == self.given() || self.is_torn(&self.given(), &found)));
         Ok(certain.then_some(solution))
@@ -263,7 +268,35 @@ impl Search<'_> {
         if self.is_as_good(best, &given, outliers) {
             return (given, self.story(&given), Vec::new());
         }
+        let told = self.told(best, ties);
+        let is_good = |(_, candidate): &&(u32, Arrangement)| self.is_as_good(best, candidate, outliers);
+        let Some(shortest) = told.iter().find(is_good) else { return (*best, self.story(best), Vec::new()) };
+        // Which of as few faults happened is for the pixels to tell.
+        let faults = self.story(&shortest.1).faults();
+        let is_clear = |(_, candidate): &&(u32, Arrangement)| {
+            !self.problem.compare_without(best, candidate, outliers).is_noticeable()
+                && self.story(candidate).faults() <= faults
+        };
+        let clear = told.iter().filter(is_good).find(is_clear);
+        let (least, _) = clear.unwrap_or(shortest);
+        let is_equal =
+            |told: &&(u32, Arrangement)| told.0 == *least && is_good(told) && (clear.is_none() || is_clear(told));
+        let mut equal: Vec<&Arrangement> = told.iter().filter(is_equal).map(|(_, candidate)| candidate).collect();
+        equal.sort_by_cached_key(|candidate| self.preference(candidate));
+        let taken = equal[0];
+        let story = self.story(taken);
+        let mut others: Vec<Story> = equal.iter().map(|other| self.story(other)).collect();
+        others.retain(|other| *other != story);
+        others.dedup();
+        others.truncate(MOST_TOLD);
+        (*taken, story, others)
+    }
+
+    /// What may have happened, the shortest story first: the best arrangement, turned as a whole where names may be wrong, and
+    /// a few faults on top of every order.
+    fn told(&self, best: &Arrangement, ties: &[Vec<usize>; 6]) -> Vec<(u32, Arrangement)> {
         let may_rename = self.names != Names::Trusted;
+        let given = self.given();
         let mut candidates: Vec<Arrangement> = variants(best, ties);
         if may_rename {
             let turns = Symmetry::all();
@@ -276,28 +309,7 @@ impl Search<'_> {
         let mut told: Vec<(u32, Arrangement)> = candidates.into_iter().map(cost).collect();
         told.sort_unstable();
         told.dedup();
-        let good = |(_, candidate): &&(u32, Arrangement)| self.is_as_good(best, candidate, outliers);
-        let Some(shortest) = told.iter().find(good) else { return (*best, self.story(best), Vec::new()) };
-        // Which of as few faults happened is for the pixels to tell.
-        let faults = self.story(&shortest.1).faults();
-        let is_clear = |(_, candidate): &&(u32, Arrangement)| {
-            !self.problem.compare_without(best, candidate, outliers).is_noticeable()
-                && self.story(candidate).faults() <= faults
-        };
-        let (least, _) = told.iter().filter(good).find(is_clear).unwrap_or(shortest);
-        let equal = || told.iter().filter(|(cost, _)| cost == least).filter(good);
-        let mut equal: Vec<&Arrangement> = match equal().any(|told| is_clear(&told)) {
-            true => equal().filter(is_clear).map(|(_, candidate)| candidate).collect(),
-            false => equal().map(|(_, candidate)| candidate).collect(),
-        };
-        equal.sort_by_cached_key(|candidate| self.preference(candidate));
-        let taken = equal[0];
-        let story = self.story(taken);
-        let mut others: Vec<Story> = equal.iter().map(|other| self.story(other)).collect();
-        others.retain(|other| *other != story);
-        others.dedup();
-        others.truncate(MOST_TOLD);
-        (*taken, story, others)
+        told
     }
 
     fn has_free_names(&self) -> bool {

@@ -25,7 +25,8 @@ pub use skycube_files::picture::{
     write_png,
 };
 pub use skycube_files::{
-    check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent, write_together,
+    between_writes, check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent,
+    write_together,
 };
 
 #[cfg(test)]
