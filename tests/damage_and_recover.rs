@@ -28,7 +28,7 @@ fn table_row(name: &str, kind: &str, storage: &Storage, tally: &Tally) {
     }
 }
 
-/// Of the orientations of a single face every third where names may be wrong too, unless the table is to be whole.
+/// Of the orientations of a single face every third, unless the table is to be whole: all are tried on compressed maps.
 fn run(storages: &[Storage], counts: [usize; 2], whole: bool) {
     let mut failures = 0;
     for (name, original) in pictures::right_maps() {
@@ -39,13 +39,11 @@ fn run(storages: &[Storage], counts: [usize; 2], whole: bool) {
                 println!("{name} {} {}: the right map is called broken", storage.name(), storage.size);
                 failures += 1;
             }
+            let step = if whole { 1 } else { 3 };
+            let faces: Vec<Damage> = Damage::of_one_face().into_iter().step_by(step).collect();
             let kinds = [
-                ("one face", Damage::of_one_face(), Names::Trusted),
-                (
-                    "one face, any",
-                    Damage::of_one_face().into_iter().step_by(if whole { 1 } else { 3 }).collect(),
-                    Names::Auto,
-                ),
+                ("one face", faces.clone(), Names::Trusted),
+                ("one face, any", faces.clone(), Names::Auto),
                 ("all faces", Damage::random_orientations(counts[0]), Names::Trusted),
                 ("all faces, any", Damage::random_orientations(counts[0]), Names::Auto),
                 ("two swapped", Damage::swaps(counts[1]), Names::Auto),
@@ -62,7 +60,7 @@ fn run(storages: &[Storage], counts: [usize; 2], whole: bool) {
 
 #[test]
 fn small_maps_are_recovered() {
-    run(&[Storage::png(64)], [4, 4], false);
+    run(&[Storage::png(64)], [2, 3], false);
 }
 
 /// What comes of one face in each wrong orientation, in a map of 64 texels at JPEG quality 50.

@@ -103,20 +103,18 @@ fn exposure_frames_and_vignettes_do_not_break_a_right_map() {
 fn dark_frames_and_exposures_together_do_not_break_a_right_map() {
     let factors = [0.8, 1.15, 1.0, 0.9, 1.1, 0.75];
     for (name, original) in right_maps() {
-        for size in [64, SIZE] {
+        for (size, dark) in [(64, 0.0), (64, 16.0), (SIZE, 16.0)] {
             let map = original.stored(&Storage::png(size));
             let border = |x: usize, y: usize| x.min(y) == 0 || x.max(y) == size - 1;
-            for dark in [0.0, 16.0] {
-                let spoilt = |face: usize| {
-                    changed(&map.pictures()[face], |x, y, colour| {
-                        if border(x, y) { [dark; 3] } else { colour.map(|code| code * factors[face]) }
-                    })
-                };
-                let spoilt = Map::new(std::array::from_fn(spoilt));
-                assert_unbroken(&format!("{name} {size}, exposed and framed in {dark}"), &spoilt);
-                let compressed = spoilt.stored(&Storage::jpeg(size));
-                assert_unbroken(&format!("{name} {size}, exposed and framed in {dark}, JPEG"), &compressed);
-            }
+            let spoilt = |face: usize| {
+                changed(&map.pictures()[face], |x, y, colour| {
+                    if border(x, y) { [dark; 3] } else { colour.map(|code| code * factors[face]) }
+                })
+            };
+            let spoilt = Map::new(std::array::from_fn(spoilt));
+            assert_unbroken(&format!("{name} {size}, exposed and framed in {dark}"), &spoilt);
+            let compressed = spoilt.stored(&Storage::jpeg(size));
+            assert_unbroken(&format!("{name} {size}, exposed and framed in {dark}, JPEG"), &compressed);
         }
     }
 }
@@ -219,7 +217,7 @@ fn a_face_that_does_not_belong_is_named() {
         .filter(|(name, _)| ["compass", "meadow", "studio-garden", "city-upside-down"].contains(name))
         .collect();
     for (index, (name, map)) in maps.iter().enumerate() {
-        for face in 0..6 {
+        for face in (index % 2..6).step_by(2) {
             let grey = computed(SIZE, |_, _| [128.0; 3]);
             let mut cases =
                 vec![(grey, Reason::Flat), (map.pictures()[face ^ 1].clone(), Reason::CopyOf(Face::ALL[face ^ 1]))];

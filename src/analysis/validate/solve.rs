@@ -13,6 +13,7 @@ use super::search::convention::{Order, mirrored_faces};
 use super::search::symmetry::Symmetry;
 use super::sky::Sky;
 use super::story::{Story, with_faults};
+use super::thresholds::story::DIAGONAL;
 use super::thresholds::verdict::{
     EDITED_ORIENTATIONS, REPAIRED, TELLING_FACES, TELLING_ORIENTATIONS, TORN_STEP, UNRELATED,
 };
@@ -277,7 +278,8 @@ impl Search<'_> {
             !self.problem.compare_without(best, candidate, outliers).is_noticeable()
                 && self.story(candidate).faults() <= faults
         };
-        let clear = told.iter().filter(is_good).find(is_clear);
+        let affordable = |(cost, _): &&(u32, Arrangement)| *cost <= faults as u32 * DIAGONAL;
+        let clear = told.iter().take_while(affordable).filter(is_good).find(is_clear);
         let (least, _) = clear.unwrap_or(shortest);
         let is_equal =
             |told: &&(u32, Arrangement)| told.0 == *least && is_good(told) && (clear.is_none() || is_clear(told));
