@@ -244,7 +244,8 @@ fn maps() -> Vec<Photographs> {
     paths.iter().map(|path: &PathBuf| photographs(path)).collect()
 }
 
-/// One map with detail everywhere, unless all are asked for: code that does not divide is searched for at length.
+/// One map with detail everywhere, unless all are asked for: other angles and code that does not divide are searched for at
+/// length.
 fn costly_maps() -> Vec<Photographs> {
     if common::thorough() { maps() } else { maps().split_off(1) }
 }
@@ -295,7 +296,7 @@ impl Row {
 
 #[test]
 fn every_orientation_of_a_single_face_is_named() {
-    for photographs in maps() {
+    for photographs in costly_maps() {
         let mut row = Row::default();
         for number in cases(48) {
             let mut student = RIGHT.varied(number);
@@ -343,7 +344,7 @@ fn exchanged_images_are_named() {
 
 #[test]
 fn a_wrong_camera_is_told_from_a_wrong_lookup() {
-    for photographs in maps() {
+    for photographs in costly_maps() {
         let decided = RIGHT.grade(&photographs).faces.iter().all(FaceGrade::is_decided);
         let mut row = Row::default();
         for (screen, formulas) in FORMULAS.into_iter().enumerate().skip(1) {
@@ -381,7 +382,7 @@ fn a_wrong_camera_is_told_from_a_wrong_lookup() {
 
 #[test]
 fn a_wrong_field_of_view_is_measured() {
-    for photographs in maps() {
+    for photographs in costly_maps() {
         let mut row = Row::default();
         for (number, angle) in [45.0, 60.0, 75.0, 84.0, 90.0, 97.0, 110.0, 125.0].into_iter().enumerate() {
             let mut student = RIGHT.varied(number + 1);
@@ -497,7 +498,7 @@ fn the_lookup_of_the_code_is_read_from_its_shots() {
 
 #[test]
 fn small_shots_do_not_make_the_camera_wrong() {
-    for photographs in maps() {
+    for photographs in costly_maps() {
         for size in [16, 20, 32, 48] {
             let grade = Student { size, ..RIGHT }.grade(&photographs);
             assert_eq!(grade.field_of_view, None, "{} at {size}", photographs.name);
