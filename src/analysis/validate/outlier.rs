@@ -86,11 +86,12 @@ pub fn find(
     let worst = (0..6).max_by(worst)?;
     let (face, (stands_out, fit, placed)) = (Face::ALL[worst], &judged[worst]);
     let others_fit = mean_fit(problem, placed, face, false) <= FAMILIAR;
-    if !stands_out && (!others_fit || mean_score(problem, images, placed, face) < VISIBLE) {
+    let reason = reason(copies, images, placed.images[worst]);
+    // A square of one colour is seen however coarse the pictures around it are.
+    let is_seen = || reason == Reason::Flat || mean_score(problem, images, placed, face) >= VISIBLE;
+    if !stands_out && !(others_fit && is_seen()) {
         return None;
     }
-    let image = placed.images[worst];
-    let reason = reason(copies, images, image);
     let (threshold, fit) = match reason {
         // A mirrored copy of its original closes the seam between the two, which is no evidence.
         Reason::CopyOf(other) => (OUTLIER_COPY, fit_without(problem, arrangement, face, placed.face_of(other))),
