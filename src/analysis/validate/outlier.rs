@@ -89,7 +89,8 @@ pub fn find(
     let reason = reason(copies, images, placed.images[worst]);
     // A square of one colour is seen however coarse the pictures around it are.
     let is_seen = || reason == Reason::Flat || mean_score(problem, images, placed, face) >= VISIBLE;
-    if !stands_out && !(others_fit && is_seen()) {
+    let may_be = *stands_out || (others_fit && is_seen());
+    if !may_be {
         return None;
     }
     let (threshold, fit) = match reason {
