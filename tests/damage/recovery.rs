@@ -3,7 +3,7 @@
 
 use skycube::envmap::{Face, Orientation};
 use skycube::stress::Random;
-use skycube::validate::{Check, Names};
+use skycube::validate::{Check, FaceFix, Names};
 
 use super::pictures::Map;
 
@@ -171,9 +171,13 @@ fn steps(map: &Map, without: &[Face]) -> Vec<i64> {
     kept.map(|seam| (seam.step * 1e6).round() as i64).collect()
 }
 
-/// A guess is no fix: a face that is not decided keeps its orientation, but where its seams then step wider.
+/// A guess is no fix: a file whose face is not decided is not edited, unless its seams then step less. (Files may be edited
+/// beside an order, or left alone where all others follow one.)
 fn assert_undecided_change_for_the_better(damaged: &Map, check: &Check) {
-    for fix in check.fix.faces.iter().filter(|fix| !fix.decided && check.fix.story.edited.contains(&fix.face)) {
+    let is_edited = |fix: &&FaceFix| {
+        !fix.decided && fix.orientation != Orientation::IDENTITY && check.fix.story.edited.contains(&fix.face)
+    };
+    for fix in check.fix.faces.iter().filter(is_edited) {
         let images = check.fix.faces.map(|fix| fix.image.index());
         let found = check.fix.faces.map(|fix| fix.orientation);
         let mut kept = found;

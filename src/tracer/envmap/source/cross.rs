@@ -142,29 +142,38 @@ impl Grid<'_> {
         self.inner_texels(cell).filter(near).count() as f32 / self.inner_texels(cell).count() as f32
     }
 
-    /// True if every cell continues those beside it, and there is something to continue.
+    /// True if every cell continues those beside it: the step from one to the next is not larger than those to the texels
+    /// behind, and somewhere there is something to continue. In a sheet of six faces some pair always gapes: in the most
+    /// favourable order of the cells of 11 maps, by 4 times the steps behind; in one picture the worst pair reaches 1.6
+    /// times, unless an outline runs along the cut.
     fn is_one_picture(&self) -> bool {
-        const DETAIL: f32 = 2.0;
-        const CONTINUES: f32 = 1.5;
+        const CONTINUES: f32 = 2.0;
+        const DETAIL: f32 = 1.0;
+        const ROUNDING: f32 = 0.5;
+        if self.side() < 2 {
+            return false;
+        }
         let last = self.side() - 1;
-        let step = |one: &dyn Fn(usize) -> Vec3, other: &dyn Fn(usize) -> Vec3| {
-            (0..=last).map(|along| (one(along) - other(along)).abs().element_sum() / 3.0).sum::<f32>()
-                / (last + 1) as f32
+        // The mean step between two lines of texels, each a cell and a place across the cut.
+        let step = |one: ((usize, usize), usize), other: ((usize, usize), usize), down: bool| {
+            let texel = |(cell, place): ((usize, usize), usize), along: usize| {
+                if down { self.code(cell, along, place) } else { self.code(cell, place, along) }
+            };
+            let steps = (0..=last).map(|along| (texel(one, along) - texel(other, along)).abs().element_sum() / 3.0);
+            steps.sum::<f32>() / (last + 1) as f32
         };
-        let continues = |across: f32, inside: f32| inside >= DETAIL && across <= CONTINUES * inside;
-        let columns = (0..self.rows).flat_map(|row| (1..self.columns).map(move |column| (column, row)));
-        let across_columns = columns.into_iter().all(|(column, row)| {
-            let left = |x: usize| move |y: usize| self.code((column - 1, row), x, y);
-            let right = |y: usize| self.code((column, row), 0, y);
-            continues(step(&left(last), &right), step(&left(last - 1), &left(last)))
-        });
-        let rows = (0..self.columns).flat_map(|column| (1..self.rows).map(move |row| (column, row)));
-        across_columns
-            && rows.into_iter().all(|(column, row)| {
-                let above = |y: usize| move |x: usize| self.code((column, row - 1), x, y);
-                let below = |x: usize| self.code((column, row), x, 0);
-                continues(step(&above(last), &below), step(&above(last - 1), &above(last)))
-            })
+        let cells = (0..self.rows).flat_map(|row| (0..self.columns).map(move |column| (column, row)));
+        let beside =
+            cells.clone().filter(|cell| cell.0 > 0).map(|(column, row)| ((column - 1, row), (column, row), false));
+        let below = cells.filter(|cell| cell.1 > 0).map(|(column, row)| ((column, row - 1), (column, row), true));
+        // The step across every cut, and the larger one of those to the texels behind on either side.
+        let cut = |(one, other, down)| {
+            let behind = step((one, last - 1), (one, last), down).max(step((other, 0), (other, 1), down));
+            (step((one, last), (other, 0), down), behind)
+        };
+        let cuts: Vec<(f32, f32)> = beside.chain(below).map(cut).collect();
+        cuts.iter().all(|&(across, behind)| across <= CONTINUES * behind.max(ROUNDING))
+            && cuts.iter().any(|&(_, behind)| behind >= DETAIL)
     }
 
     fn refused(&self, why: &str) -> Error {
