@@ -171,12 +171,11 @@ fn steps(map: &Map, without: &[Face]) -> Vec<i64> {
     kept.map(|seam| (seam.step * 1e6).round() as i64).collect()
 }
 
-/// A guess is no fix: a file whose face is not decided is not edited, unless its seams then step less. (Files may be edited
-/// beside an order, or left alone where all others follow one.)
+/// A guess is no fix: a file whose face is not decided is not edited, unless its seams then step less. Where the files follow
+/// an order, that says how an undecided face lies.
 fn assert_undecided_change_for_the_better(damaged: &Map, check: &Check) {
-    let is_edited = |fix: &&FaceFix| {
-        !fix.decided && fix.orientation != Orientation::IDENTITY && check.fix.story.edited.contains(&fix.face)
-    };
+    let story = &check.fix.story;
+    let is_edited = |fix: &&FaceFix| !fix.decided && story.order.is_none() && story.edited.contains(&fix.face);
     for fix in check.fix.faces.iter().filter(is_edited) {
         let images = check.fix.faces.map(|fix| fix.image.index());
         let found = check.fix.faces.map(|fix| fix.orientation);

@@ -97,14 +97,17 @@ fn the_arms_of_a_cross_stand_where_its_cells_are_not_empty() {
 #[test]
 fn a_picture_of_the_shape_of_a_cross_or_sheet_is_refused() {
     let folder = TempDir::new().unwrap();
-    // A texture without any border in it.
+    // A texture without any border in it, and a smooth one.
     let grain = |x: u32, y: u32| ((x * 7919 + y * 104_729).wrapping_mul(2_654_435_761) >> 24) as u8;
-    for (width, height, why) in [
-        (64, 48, "its corner cells are not empty"),
-        (48, 64, "its corner cells are not empty"),
-        (48, 32, "its cells continue each other"),
+    let smooth = |x: u32, y: u32| (3 * x + y) as u8;
+    for (width, height, code, why) in [
+        (64, 48, &grain as &dyn Fn(u32, u32) -> u8, "its corner cells are not empty"),
+        (48, 64, &grain, "its corner cells are not empty"),
+        (48, 32, &grain, "its cells continue each other"),
+        (48, 32, &smooth, "its cells continue each other"),
+        (32, 48, &smooth, "its cells continue each other"),
     ] {
-        let picture = RgbImage::from_fn(width, height, |x, y| Rgb([grain(x, y); 3]));
+        let picture = RgbImage::from_fn(width, height, |x, y| Rgb([code(x, y); 3]));
         fs::write(folder.path().join("photo.png"), png(&picture)).unwrap();
         let error = error_at(&folder, "photo.png");
         assert!(error.contains(why), "{error}");
