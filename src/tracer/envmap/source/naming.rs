@@ -26,6 +26,7 @@ pub enum Family {
     French,
     Spanish,
     Italian,
+    Portuguese,
 }
 
 impl Family {
@@ -37,8 +38,9 @@ impl Family {
 
 /// Every spelling of the six faces, in the order +X -X +Y -Y +Z -Z.
 ///
-/// This is the naming only. Words are put on axes as OpenGL tools do it: right is +X, front is +Z; Quake's names after
-/// them, and a compass whose north is the front. Whether the pictures fit so is for the lookup and the validator to say.
+/// This is the naming only. Words are put on axes as most OpenGL tools do it: right is +X, front is +Z (some engines call -Z
+/// the front, Unity +X the left); Quake's names after them, and a compass whose north is the front. Whether the pictures fit
+/// so is for the lookup and the validator to say.
 #[rustfmt::skip]
 const SPELLINGS: &[(Family, [&str; 6])] = &[
     (Family::PositiveNegative, ["posx", "negx", "posy", "negy", "posz", "negz"]),
@@ -65,6 +67,7 @@ const SPELLINGS: &[(Family, [&str; 6])] = &[
     (Family::Words, ["right", "left", "top", "bottom", "front", "back"]),
     (Family::Words, ["right", "left", "up", "down", "forward", "backward"]),
     (Family::Words, ["right", "left", "ceiling", "floor", "front", "rear"]),
+    (Family::Words, ["right", "left", "ceil", "bot", "fwd", "bwd"]),
     (Family::Words, ["right", "left", "zenith", "nadir", "ahead", "behind"]),
     (Family::Words, ["right", "left", "above", "below", "front", "back"]),
     (Family::Quake, ["rt", "lf", "up", "dn", "ft", "bk"]),
@@ -74,7 +77,10 @@ const SPELLINGS: &[(Family, [&str; 6])] = &[
     (Family::Compass, ["east", "west", "up", "down", "north", "south"]),
     (Family::Compass, ["east", "west", "top", "bottom", "north", "south"]),
     (Family::Compass, ["east", "west", "zenith", "nadir", "north", "south"]),
+    (Family::Compass, ["est", "ouest", "haut", "bas", "nord", "sud"]),
+    (Family::Compass, ["ost", "west", "oben", "unten", "nord", "süd"]),
     (Family::CompassInitials, ["e", "w", "u", "d", "n", "s"]),
+    (Family::CompassInitials, ["e", "w", "t", "b", "n", "s"]),
     (Family::German, ["rechts", "links", "oben", "unten", "vorne", "hinten"]),
     (Family::German, ["rechts", "links", "decke", "boden", "vorn", "hinten"]),
     (Family::Czech, ["vpravo", "vlevo", "nahoře", "dole", "vpředu", "vzadu"]),
@@ -91,6 +97,8 @@ const SPELLINGS: &[(Family, [&str; 6])] = &[
     (Family::Spanish, ["derecha", "izquierda", "arriba", "abajo", "frente", "atrás"]),
     (Family::Spanish, ["derecha", "izquierda", "arriba", "abajo", "frente", "atras"]),
     (Family::Italian, ["destra", "sinistra", "sopra", "sotto", "davanti", "dietro"]),
+    (Family::Portuguese, ["direita", "esquerda", "cima", "baixo", "frente", "trás"]),
+    (Family::Portuguese, ["direita", "esquerda", "cima", "baixo", "frente", "tras"]),
 ];
 
 /// One reading of a file name as the name of a face.

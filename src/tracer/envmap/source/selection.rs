@@ -136,9 +136,15 @@ fn complete_sets(names: &[&str], groups: Vec<Found>) -> Vec<Found> {
     sets
 }
 
-/// One complete set is the answer unless a face has several files; several sets are for the user to choose from.
+/// One complete set is the answer unless a face has several files; several sets are for the user to choose from. Where the
+/// same six files are named twice, `Front+Z` to `Left+X` say, the family that comes first counts: axes before words.
 fn judge(mut sets: Vec<Found>) -> Selection {
-    if sets.len() > 1 {
+    let files = |found: &Found| {
+        let mut files = found.concat();
+        files.sort_unstable();
+        files
+    };
+    if sets.iter().any(|set| files(set) != files(&sets[0])) {
         return Selection::Several(sets);
     }
     let found = sets.remove(0);
@@ -235,6 +241,15 @@ mod tests {
     fn takes_signs_between_other_words() {
         let names = ["a-x-1.png", "a+x-1.png", "a-y-1.png", "a+y-1.png", "a-z-1.png", "a+z-1.png"];
         assert_eq!(chosen(&names).join(" "), "a+x-1.png a-x-1.png a+y-1.png a-y-1.png a+z-1.png a-z-1.png");
+    }
+
+    #[test]
+    fn axes_count_where_the_same_files_name_a_side_too() {
+        // AllSky, as sold for Unity, whose left is +X.
+        let names = ["0_Front+Z", "1_Back-Z", "2_Left+X", "3_Right-X", "4_Up+Y", "5_Down-Y"];
+        let names = names.map(|name| format!("Overcast_Cam_{name}.png"));
+        let chosen = chosen(&names.each_ref().map(String::as_str));
+        assert_eq!([2, 3, 4, 5, 0, 1].map(|at| names[at].clone()).to_vec(), chosen);
     }
 
     #[test]

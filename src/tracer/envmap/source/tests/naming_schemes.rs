@@ -90,6 +90,9 @@ const PLAIN_WORDS: &[Scheme] = &[
     ("French", ["droite.jpg", "gauche.jpg", "haut.jpg", "bas.jpg", "devant.jpg", "derrière.jpg"]),
     ("French, before and behind", ["ciel-droite.png", "ciel-gauche.png", "ciel-haut.png", "ciel-bas.png", "ciel-avant.png", "ciel-arriere.png"]),
     ("Spanish", ["derecha.jpg", "izquierda.jpg", "arriba.jpg", "abajo.jpg", "delante.jpg", "detrás.jpg"]),
+    ("Portuguese", ["direita.jpg", "esquerda.jpg", "cima.jpg", "baixo.jpg", "frente.jpg", "trás.jpg"]),
+    ("a French compass", ["est.jpg", "ouest.jpg", "haut.jpg", "bas.jpg", "nord.jpg", "sud.jpg"]),
+    ("initials of a compass, top and bottom", ["sky_E.png", "sky_W.png", "sky_T.png", "sky_B.png", "sky_N.png", "sky_S.png"]),
     ("Italian", ["destra.jpg", "sinistra.jpg", "sopra.jpg", "sotto.jpg", "davanti.jpg", "dietro.jpg"]),
 ];
 
