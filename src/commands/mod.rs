@@ -20,6 +20,7 @@ mod shots;
 mod stress;
 mod terminal;
 mod trace;
+mod view;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
@@ -73,6 +74,8 @@ enum Command {
     Stress(stress::StressArguments),
     /// Follow one pixel of a scene: every ray, hit, shadow test and lookup, and how its colour adds up
     Trace(trace::TraceArguments),
+    /// Write a page to look around in the map, before and after the repair
+    View(view::ViewArguments),
     /// Write six corrected files, or print the corrected lookup
     Fix(fix::FixArguments),
 }
@@ -112,6 +115,7 @@ fn command(command: Command) -> Result<Outcome> {
         #[cfg(feature = "stress")]
         Command::Stress(arguments) => stress::run(&arguments),
         Command::Trace(arguments) => trace::run(&arguments),
+        Command::View(arguments) => view::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
     }
 }

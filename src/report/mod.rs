@@ -16,6 +16,7 @@ mod shots;
 #[cfg(feature = "stress")]
 mod stress;
 mod trace;
+mod view;
 
 pub use check::{CheckReport, MapCheck, check_json};
 pub use compare::{CompareReport, Metric, draw_comparison};
@@ -35,3 +36,4 @@ pub(crate) use shots::ShotsReport;
 #[cfg(feature = "stress")]
 pub(crate) use stress::draw_stress;
 pub(crate) use trace::TraceReport;
+pub(crate) use view::{ViewInput, view_page};

@@ -21,8 +21,8 @@ pub use texels::{Picture, Texels};
 pub use texture::{Filter, Texture, Wrap};
 
 pub use skycube_files::picture::{
-    EnvironmentLayout, Format, Header, OutputFormat, PngDepth, PngSamples as Samples, encode_png, exr_environment,
-    write_png,
+    EnvironmentLayout, Format, Header, OutputFormat, PngDepth, PngSamples as Samples, encode_jpeg, encode_png,
+    exr_environment, write_png,
 };
 pub use skycube_files::{
     between_writes, check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent,
