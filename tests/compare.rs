@@ -270,11 +270,11 @@ fn reports() {
     let expected = subject("lesson", [0, 0]);
     let mine = no_gamma(&flipped(&expected));
     let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));
-    let report = CompareReport { comparison: &comparison, metric: Metric::Flip, threshold: 0.05 };
+    let report = CompareReport::new(&comparison, Metric::Flip, 0.05);
     insta::assert_snapshot!("flipped_text", report.to_string());
     insta::assert_snapshot!("flipped_json", report.to_json());
     let comparison = Comparison::of(&file_of(&expected), &file_of(&expected));
-    let report = CompareReport { comparison: &comparison, metric: Metric::Psnr, threshold: 28.0 };
+    let report = CompareReport::new(&comparison, Metric::Psnr, 28.0);
     insta::assert_snapshot!("identical_text", report.to_string());
 }
 
@@ -282,7 +282,7 @@ fn reports() {
 fn nothing_is_left_where_nothing_was_undone() {
     let report = |mine: &Raster, expected: &Raster| {
         let comparison = Comparison::of(&file_of(mine), &file_of(expected));
-        CompareReport { comparison: &comparison, metric: Metric::Flip, threshold: 0.05 }.to_string()
+        CompareReport::new(&comparison, Metric::Flip, 0.05).to_string()
     };
     let expected = subject("lesson", [0, 0]);
     let noise = report(&noisy(&expected, 0.1), &expected);
@@ -302,7 +302,7 @@ fn one_broken_pixel_is_counted_as_one() {
     let header = Header { format: Format::Exr, bit_depth: 32, ..file_of(&mine).header() };
     let mine = Picture::new(header, Texels::Linear(mine.pixels().to_vec()));
     let comparison = Comparison::of(&mine, &file_of(&subject("lesson", [0, 0])));
-    let text = CompareReport { comparison: &comparison, metric: Metric::Flip, threshold: 0.05 }.to_string();
+    let text = CompareReport::new(&comparison, Metric::Flip, 0.05).to_string();
     assert!(text.contains("1 of your pixels is not a finite number (column 7, row 5)"), "{text}");
 }
 

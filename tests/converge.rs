@@ -208,7 +208,7 @@ fn report() -> ConvergeReport {
         // It depends on the files of the project.
         reference.key = "0123456789abcdef".to_owned();
     }
-    let lamp = ConvergedScene { name: "lamp.toml".to_owned(), size: [40, 28], seeds: 2, convergence };
+    let lamp = ConvergedScene { name: "lamp.toml".to_owned(), width: 40, height: 28, seeds: 2, convergence };
     ConvergeReport { scenes: vec![lamp], stopped: false }
 }
 

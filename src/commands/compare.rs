@@ -45,7 +45,7 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
     check_output(arguments)?;
     let (mine, expected) = (read(&arguments.mine)?, read(&arguments.expected)?);
     let comparison = Comparison::of(&mine, &expected);
-    let report = CompareReport { comparison: &comparison, metric: arguments.metric, threshold };
+    let report = CompareReport::new(&comparison, arguments.metric, threshold);
     if let Some(output) = &arguments.output {
         draw_comparison(&comparison).write(output)?;
     }
@@ -57,7 +57,7 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
             print(format_args!("wrote {}\n", output.display()));
         }
     }
-    Ok(if report.verdict() == Verdict::Differs { Outcome::Faults } else { Outcome::Clean })
+    Ok(if report.verdict == Verdict::Differs { Outcome::Faults } else { Outcome::Clean })
 }
 
 /// An error if the drawing cannot be written, before anything is computed.

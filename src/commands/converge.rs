@@ -97,10 +97,11 @@ pub fn run(arguments: &ConvergeArguments) -> Result<Outcome> {
     for subject in &mut scenes {
         match pool.install(|| converge(&mut subject.scene, &subject.variants, &protocol, &Terminal)) {
             Ok(convergence) => {
-                let size = subject.scene.camera.size();
+                let [width, height] = subject.scene.camera.size();
                 report.scenes.push(ConvergedScene {
                     name: subject.name.clone(),
-                    size,
+                    width,
+                    height,
                     seeds: protocol.seeds,
                     convergence,
                 });

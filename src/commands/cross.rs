@@ -11,7 +11,7 @@ use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
 use crate::picture::{check_target, folder_of};
-use crate::report::{CrossInput, Drawing, SeamMark, draw_cross, nothing_to_fix};
+use crate::report::{CrossInput, Drawing, draw_cross, nothing_to_fix};
 use crate::validate::Seam;
 
 #[derive(Debug, Args)]
@@ -68,12 +68,11 @@ fn draw(
     world_up: SignedAxis,
     heading: &str,
 ) -> Drawing {
-    let marks: Vec<SeamMark> = seams.iter().map(SeamMark::from).collect();
     draw_cross(&CrossInput {
         map,
         world_up,
         files: &Face::ALL.map(|face| open.skybox.image(map.lookup().row(face).image).name().to_owned()),
-        marks: &marks,
+        seams,
         heading,
         cell: arguments.cell as usize,
         tone_map: arguments.tone_map,

@@ -36,15 +36,15 @@ pub fn run(arguments: &ProbeArguments) -> Result<Outcome> {
     let fixed_map = cube_map.with_lookup(check.fix.lookup(&map.lookup));
     let fixed = if check.fix.changes > 0 { Some(follow(&fixed_map)?) } else { None };
     let fixed_name = format!("{}, fixed", map.lookup_name);
-    let report = |probe, lookup| ProbeReport { probe, map: &map.name, lookup, files: &files };
-    let before = report(&given, &map.lookup_name);
-    let after = fixed.as_ref().map(|probe| report(probe, &fixed_name));
+    let report = |probe, lookup, after_fix| ProbeReport { probe, map: &map.name, lookup, files: &files, after_fix };
+    let after = fixed.as_ref().map(|probe| report(probe, &fixed_name, None));
+    let before = report(&given, &map.lookup_name, after.as_ref());
     if arguments.json {
-        print(format_args!("{}\n", before.to_json(after.as_ref())));
+        print(format_args!("{}\n", before.to_json()));
         return Ok(Outcome::Clean);
     }
     print(format_args!("{before}"));
-    match after {
+    match &after {
         Some(after) => print(format_args!("\n{after}")),
         None => print(format_args!("\n{}\n", nothing_to_fix(&check))),
     }

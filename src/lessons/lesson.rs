@@ -67,13 +67,20 @@ struct Keys {
     expected_samples: BTreeMap<String, NonZeroU32>,
 }
 
+impl Language {
+    /// The one of two texts that is in this language.
+    pub fn choose<T>(self, english: T, czech: T) -> T {
+        match self {
+            Language::En => english,
+            Language::Cs => czech,
+        }
+    }
+}
+
 impl Bilingual {
     /// The text in a language.
     pub fn in_language(&self, language: Language) -> &str {
-        match language {
-            Language::En => &self.en,
-            Language::Cs => &self.cs,
-        }
+        language.choose(&self.en, &self.cs)
     }
 }
 
@@ -99,10 +106,7 @@ impl Lesson {
 
     /// The README in a language.
     pub fn readme(&self, language: Language) -> PathBuf {
-        self.folder.join(match language {
-            Language::En => "README.md",
-            Language::Cs => "README.cs.md",
-        })
+        self.folder.join(language.choose("README.md", "README.cs.md"))
     }
 }
 

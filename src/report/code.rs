@@ -46,46 +46,29 @@ struct Form {
     head: &'static str,
     /// What begins and ends a case; `#` stands for the face.
     case: [&'static str; 2],
-    /// What a statement ends with, and a number.
+    /// What ends a statement, and a number.
     end: &'static str,
     number: &'static str,
     tail: &'static str,
 }
 
 fn form(language: CodeLanguage) -> Form {
+    let cpp = Form {
+        comment: "//",
+        head: CPP,
+        case: ["        case #:", "            break;\n"],
+        end: ";",
+        number: "f",
+        tail: "    }\n}\n",
+    };
     match language {
-        CodeLanguage::Cpp => Form {
-            comment: "//",
-            head: CPP,
-            case: ["        case #:", "            break;\n"],
-            end: ";",
-            number: "f",
-            tail: "    }\n}\n",
-        },
-        CodeLanguage::Glsl => Form {
-            comment: "//",
-            head: GLSL,
-            case: ["        case #:", "            break;\n"],
-            end: ";",
-            number: "",
-            tail: "    }\n}\n",
-        },
-        CodeLanguage::Rust => Form {
-            comment: "//",
-            head: RUST,
-            case: ["        # => {", "        }\n"],
-            end: ";",
-            number: "",
-            tail: "    }\n    (image, u, v)\n}\n",
-        },
-        CodeLanguage::Java => Form {
-            comment: "//",
-            head: JAVA,
-            case: ["        case #:", "            break;\n"],
-            end: ";",
-            number: "f",
-            tail: "    }\n    return new Texel(image, u, v);\n}\n",
-        },
+        CodeLanguage::Cpp => cpp,
+        CodeLanguage::Glsl => Form { head: GLSL, number: "", ..cpp },
+        CodeLanguage::Rust => {
+            let tail = "    }\n    (image, u, v)\n}\n";
+            Form { head: RUST, case: ["        # => {", "        }\n"], number: "", tail, ..cpp }
+        }
+        CodeLanguage::Java => Form { head: JAVA, tail: "    }\n    return new Texel(image, u, v);\n}\n", ..cpp },
         CodeLanguage::Python => Form {
             comment: "#",
             head: PYTHON,
@@ -94,14 +77,10 @@ fn form(language: CodeLanguage) -> Form {
             number: "",
             tail: "    return image, u, v\n",
         },
-        CodeLanguage::Csharp => Form {
-            comment: "//",
-            head: CSHARP,
-            case: ["        case #:", "            break;\n"],
-            end: ";",
-            number: "f",
-            tail: "        default: throw new System.ArgumentException();\n    }\n    return (image, u, v);\n}\n",
-        },
+        CodeLanguage::Csharp => {
+            let tail = "        default: throw new System.ArgumentException();\n    }\n    return (image, u, v);\n}\n";
+            Form { head: CSHARP, tail, ..cpp }
+        }
         CodeLanguage::Toml => unreachable!("a table, not a function"),
     }
 }

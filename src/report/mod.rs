@@ -28,7 +28,7 @@ pub use stress::StressReport;
 
 pub(crate) use check::{Totals, nothing_to_fix};
 pub(crate) use code::{CodeLanguage, lookup_code};
-pub(crate) use drawing::{CaptionedShot, CrossInput, SeamMark, draw_contact_sheet, draw_cross};
+pub(crate) use drawing::{CaptionedShot, CrossInput, draw_contact_sheet, draw_cross};
 pub(crate) use lessons::{lesson_list, lesson_page, lesson_started};
 pub(crate) use probe::ProbeReport;
 pub(crate) use render::RenderReport;

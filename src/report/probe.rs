@@ -2,11 +2,11 @@
 
 use std::fmt;
 
-use serde::Serialize;
+use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::json::to_json;
 use crate::colour::ToneMap;
-use crate::envmap::{CubeFilter, Face, Probe, SignedAxis, VOrigin};
+use crate::envmap::{CubeFilter, Face, Probe, ProbedTexel, SignedAxis, VOrigin};
 use crate::math::Vec3;
 
 /// A probe and the names of what it went through.
@@ -17,36 +17,42 @@ pub struct ProbeReport<'a> {
     pub lookup: &'a str,
     /// The file of each image, in the order of [`Face::ALL`].
     pub files: &'a [String; 6],
+    /// The same after the fix, if there is something to fix.
+    pub after_fix: Option<&'a Self>,
 }
 
 /// The report for machines.
-#[derive(Serialize)]
-struct Json<'a> {
-    map: &'a str,
-    lookup: &'a str,
-    direction: [f32; 3],
-    largest: f32,
-    tie: bool,
-    face: Face,
-    inverse_largest: f32,
-    u_axis: String,
-    v_axis: String,
-    u: f32,
-    v: f32,
-    v_origin: VOrigin,
-    image: Face,
-    file: &'a str,
-    size: [usize; 2],
-    position: [f32; 2],
-    filter: CubeFilter,
-    texels: Vec<JsonTexel<'a>>,
-    linear: [f32; 3],
-    srgb8: [u8; 3],
-    /// The same after the fix, null if there is nothing to fix.
-    after_fix: Option<Box<Json<'a>>>,
+impl Serialize for ProbeReport<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let probe = self.probe;
+        let texels: Vec<_> = probe.texels.iter().map(|texel| self.json_texel(texel)).collect();
+        let mut keys = serializer.serialize_struct("ProbeReport", 21)?;
+        keys.serialize_field("map", self.map)?;
+        keys.serialize_field("lookup", self.lookup)?;
+        keys.serialize_field("direction", &probe.direction)?;
+        keys.serialize_field("largest", &probe.largest)?;
+        keys.serialize_field("tie", &(probe.largest_axes.len() > 1))?;
+        keys.serialize_field("face", &probe.point.face)?;
+        keys.serialize_field("inverse_largest", &(1.0 / probe.largest))?;
+        keys.serialize_field("u_axis", &probe.row.u)?;
+        keys.serialize_field("v_axis", &probe.row.v)?;
+        keys.serialize_field("u", &probe.point.u)?;
+        keys.serialize_field("v", &probe.point.v)?;
+        keys.serialize_field("v_origin", &probe.v_origin)?;
+        keys.serialize_field("image", &probe.row.image)?;
+        keys.serialize_field("file", self.file(probe.row.image))?;
+        keys.serialize_field("size", &probe.size)?;
+        keys.serialize_field("position", &probe.position)?;
+        keys.serialize_field("filter", &probe.filter)?;
+        keys.serialize_field("texels", &texels)?;
+        keys.serialize_field("linear", &probe.colour)?;
+        keys.serialize_field("srgb8", &codes(probe.colour))?;
+        keys.serialize_field("after_fix", &self.after_fix)?;
+        keys.end()
+    }
 }
 
-#[derive(Serialize)]
+#[derive(serde::Serialize)]
 struct JsonTexel<'a> {
     /// Null beyond a corner of the cube.
     image: Option<Face>,
@@ -54,7 +60,7 @@ struct JsonTexel<'a> {
     column: Option<usize>,
     row: Option<usize>,
     weight: f32,
-    linear: [f32; 3],
+    linear: Vec3,
     srgb8: [u8; 3],
 }
 
@@ -62,44 +68,19 @@ const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl ProbeReport<'_> {
     /// The report for machines, with that after the fix in it.
-    pub fn to_json(&self, after_fix: Option<&Self>) -> String {
-        let after_fix = after_fix.map(|report| Box::new(report.json(None)));
-        to_json("probe", &self.json(after_fix))
+    pub fn to_json(&self) -> String {
+        to_json("probe", self)
     }
 
-    fn json<'b>(&'b self, after_fix: Option<Box<Json<'b>>>) -> Json<'b> {
-        let probe = self.probe;
-        let texels = probe.texels.iter().map(|texel| JsonTexel {
+    fn json_texel(&self, texel: &ProbedTexel) -> JsonTexel<'_> {
+        JsonTexel {
             image: texel.place.map(|place| place.image),
             file: texel.place.map(|place| self.file(place.image)),
             column: texel.place.map(|place| place.column),
             row: texel.place.map(|place| place.row),
             weight: texel.weight,
-            linear: texel.colour.to_array(),
+            linear: texel.colour,
             srgb8: codes(texel.colour),
-        });
-        Json {
-            map: self.map,
-            lookup: self.lookup,
-            direction: probe.direction.to_array(),
-            largest: probe.largest,
-            tie: probe.largest_axes.len() > 1,
-            face: probe.point.face,
-            inverse_largest: 1.0 / probe.largest,
-            u_axis: probe.row.u.to_string(),
-            v_axis: probe.row.v.to_string(),
-            u: probe.point.u,
-            v: probe.point.v,
-            v_origin: probe.v_origin,
-            image: probe.row.image,
-            file: self.file(probe.row.image),
-            size: probe.size,
-            position: probe.position,
-            filter: probe.filter,
-            texels: texels.collect(),
-            linear: probe.colour.to_array(),
-            srgb8: codes(probe.colour),
-            after_fix,
         }
     }
 

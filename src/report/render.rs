@@ -82,6 +82,29 @@ impl RenderReport {
     pub fn to_json(&self) -> String {
         to_json("render", self)
     }
+
+    fn write_rays(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rays = &self.rays;
+        writeln!(
+            formatter,
+            "rays  {} ({:.1} million per second): camera {}, reflected {}, refracted {}, shadow {}",
+            grouped(rays.traced()),
+            self.rays_per_second / 1e6,
+            grouped(rays.camera),
+            grouped(rays.reflected),
+            grouped(rays.refracted),
+            grouped(rays.shadow)
+        )?;
+        writeln!(formatter, "      {} took the environment", grouped(rays.environment))?;
+        if rays.cut_by_depth > 0 {
+            let cut = grouped(rays.cut_by_depth);
+            writeln!(formatter, "      {cut} ended at the depth limit: their light is missing")?;
+        }
+        if rays.cut_by_weight > 0 {
+            writeln!(formatter, "      {} cut at random, without bias", grouped(rays.cut_by_weight))?;
+        }
+        Ok(())
+    }
 }
 
 impl fmt::Display for RenderReport {
@@ -111,31 +134,6 @@ impl fmt::Display for RenderReport {
         writeln!(formatter, "left out")?;
         for item in &self.left_out {
             writeln!(formatter, "  - {item}")?;
-        }
-        Ok(())
-    }
-}
-
-impl RenderReport {
-    fn write_rays(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rays = &self.rays;
-        writeln!(
-            formatter,
-            "rays  {} ({:.1} million per second): camera {}, reflected {}, refracted {}, shadow {}",
-            grouped(rays.traced()),
-            self.rays_per_second / 1e6,
-            grouped(rays.camera),
-            grouped(rays.reflected),
-            grouped(rays.refracted),
-            grouped(rays.shadow)
-        )?;
-        writeln!(formatter, "      {} took the environment", grouped(rays.environment))?;
-        if rays.cut_by_depth > 0 {
-            let cut = grouped(rays.cut_by_depth);
-            writeln!(formatter, "      {cut} ended at the depth limit: their light is missing")?;
-        }
-        if rays.cut_by_weight > 0 {
-            writeln!(formatter, "      {} cut at random, without bias", grouped(rays.cut_by_weight))?;
         }
         Ok(())
     }

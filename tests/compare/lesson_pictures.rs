@@ -34,7 +34,7 @@ fn compared(mine: &Raster, expected: &Picture) -> Comparison {
 }
 
 fn text(comparison: &Comparison) -> String {
-    CompareReport { comparison, metric: Metric::Flip, threshold: 0.05 }.to_string()
+    CompareReport::new(comparison, Metric::Flip, 0.05).to_string()
 }
 
 const DIRECTIONS: &str = "01-camera-rays/directions.toml";
@@ -200,7 +200,11 @@ fn what_is_clearly_different_in_one_place_never_matches() {
     for (mine, expected) in [(&narrow, &wide), (&wide, &narrow), (&weak, &wide), (&wide, &weak)] {
         for expected in [file_of(expected), jpeg(expected, 85)] {
             let comparison = compared(mine, &expected);
-            assert!(comparison.before.metrics.flip < 0.05 && comparison.worst.flip >= 0.3, "{:?}", comparison.worst);
+            assert!(
+                comparison.views.before.metrics.flip < 0.05 && comparison.worst.flip >= 0.3,
+                "{:?}",
+                comparison.worst
+            );
             assert_eq!(names(&comparison), ["region"]);
             assert_eq!(comparison.verdict(true), Verdict::Differs);
         }

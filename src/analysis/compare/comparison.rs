@@ -1,14 +1,16 @@
 //! Two pictures compared.
 
+use serde::Serialize;
+
 use super::finding::{Finding, Weight};
 use super::region::Region;
 use super::undoing::Undoing;
-use super::view::View;
+use super::view::{View, Views};
 use super::{not_finite, rest, search, size};
 use crate::picture::{Header, Picture, Raster};
 
 /// Two pictures compared.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Comparison {
     /// The student's file.
     pub mine: Header,
@@ -16,19 +18,20 @@ pub struct Comparison {
     pub expected: Header,
     /// In the order they were looked for.
     pub findings: Vec<Finding>,
-    /// The pictures as they are; mine resampled if the sizes differ.
-    pub before: View,
-    /// The pictures after undoing what was found; none if nothing can be undone.
-    pub after: Option<View>,
+    /// The pictures in one size, and their metrics.
+    #[serde(rename = "metrics")]
+    pub views: Views,
     /// Where they differ most, after undoing what was found.
+    #[serde(rename = "worst_region")]
     pub worst: Region,
     /// True if the pictures, as they are (but for a shift) or after undoing what was found, are clearly different in one
     /// place: a mean FLIP of at least 0.3 in their worst region, and not by noise.
+    #[serde(skip)]
     pub clearly_different: bool,
 }
 
 /// How a comparison ends.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Verdict {
     /// Every pixel is the same.
@@ -51,7 +54,8 @@ impl Comparison {
         let view = |undoing: &Undoing| View::of(undoing, &mine_raster, &expected_raster);
         let (before, after) =
             rayon::join(|| view(&Undoing::NOTHING), || (undoing != Undoing::NOTHING).then(|| view(&undoing)));
-        let view = after.as_ref().unwrap_or(&before);
+        let views = Views { before, after };
+        let view = views.last();
         let worst = view.worst_region();
         if !findings.iter().any(|finding| finding.weight == Weight::AnotherPicture) {
             let pixels = |raster: &Raster| raster.pixels().len();
@@ -61,19 +65,14 @@ impl Comparison {
         let is_different = |view: &View| rest::is_clearly_different(view, view.worst_region());
         // A shifted edge is not another thing.
         let clearly_different =
-            (undoing.shift.is_none() && is_different(&before)) || after.as_ref().is_some_and(is_different);
-        Self { mine: mine.header(), expected: expected.header(), findings, before, after, worst, clearly_different }
-    }
-
-    /// The view that shows what is left: after undoing what was found.
-    pub fn last_view(&self) -> &View {
-        self.after.as_ref().unwrap_or(&self.before)
+            (undoing.shift.is_none() && is_different(&views.before)) || views.after.as_ref().is_some_and(is_different);
+        Self { mine: mine.header(), expected: expected.header(), findings, views, worst, clearly_different }
     }
 
     /// The verdict, given whether the metric is within its threshold.
     pub fn verdict(&self, within: bool) -> Verdict {
         let same_size = (self.mine.width, self.mine.height) == (self.expected.width, self.expected.height);
-        if same_size && self.findings.is_empty() && self.before.mine == self.before.expected {
+        if same_size && self.findings.is_empty() && self.views.before.mine == self.views.before.expected {
             return Verdict::Identical;
         }
         let other = self.clearly_different || self.findings.iter().any(|finding| finding.weight != Weight::Difference);

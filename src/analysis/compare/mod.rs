@@ -50,4 +50,4 @@ mod view;
 pub use comparison::{Comparison, Verdict};
 pub use finding::{Finding, Weight};
 pub use region::Region;
-pub use view::View;
+pub use view::{View, Views};

@@ -1,23 +1,46 @@
 //! Two pictures side by side.
 
+use serde::Serialize;
+
 use super::region::{self, Region};
 use super::undoing::Undoing;
 use crate::metrics::{Metrics, Plane};
 use crate::picture::Raster;
 
 /// Mine and the expected picture in one size, and how they differ.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct View {
     /// The student's picture, in linear RGB.
+    #[serde(skip)]
     pub mine: Raster,
     /// The expected picture, in linear RGB.
+    #[serde(skip)]
     pub expected: Raster,
     /// Where its top left corner lies in the expected picture.
+    #[serde(skip)]
     pub corner: [usize; 2],
     /// The errors of `mine` against `expected`.
+    #[serde(flatten)]
     pub metrics: Metrics,
     /// FLIP of every pixel.
+    #[serde(skip)]
     pub flip: Plane,
+}
+
+/// The pictures before and after undoing what was found.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Views {
+    /// As they are; mine resampled if the sizes differ.
+    pub before: View,
+    /// None if nothing can be undone.
+    pub after: Option<View>,
+}
+
+impl Views {
+    /// The view that shows what is left: after undoing what was found.
+    pub fn last(&self) -> &View {
+        self.after.as_ref().unwrap_or(&self.before)
+    }
 }
 
 impl View {

@@ -1,7 +1,5 @@
 //! Bias: the part of the error that more samples do not remove.
 
-use serde::Serialize;
-
 use crate::math::DVec3;
 use crate::picture::Raster;
 
@@ -17,13 +15,11 @@ use crate::picture::Raster;
 /// the mean squared bias at any noise level; its spread over the pixels gives the standard error. It may be negative.
 ///
 /// Rare light paths that no rendering found look like bias, as in every estimate from samples.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bias {
     /// Squared bias, in the mean over pixels and channels; an estimate, which may be negative.
-    #[serde(rename = "bias_squared")]
     pub squared: f64,
     /// Standard error of `squared`.
-    #[serde(rename = "bias_squared_error")]
     pub squared_error: f64,
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use serde::Serialize;
+use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::bias::Bias;
 use super::configuration::Configuration;
@@ -20,7 +20,7 @@ use crate::render::{Progress, Renderer, Silent};
 use crate::scene::{Plan, Scene};
 
 /// A rendering after this number of samples per pixel, in the mean over the seeds.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Step {
     /// Samples per pixel.
     pub samples: u32,
@@ -29,10 +29,8 @@ pub struct Step {
     /// Rays traced.
     pub rays: u64,
     /// Errors against the reference.
-    #[serde(flatten)]
     pub errors: Errors,
     /// The part of the error that more samples do not remove.
-    #[serde(flatten)]
     pub bias: Bias,
     /// Mean over all pixels and channels of the pictures of all seeds.
     pub mean_radiance: f64,
@@ -46,9 +44,33 @@ impl Step {
     }
 }
 
+/// What was measured, and what follows from it.
+impl Serialize for Step {
+    fn serialize<S: Serializer>(&self, serializer: S) -> std::result::Result<S::Ok, S::Error> {
+        let Self { samples, seconds, rays, errors, bias, mean_radiance } = self;
+        let mut keys = serializer.serialize_struct("Step", 14)?;
+        keys.serialize_field("samples", samples)?;
+        keys.serialize_field("seconds", seconds)?;
+        keys.serialize_field("rays", rays)?;
+        keys.serialize_field("rmse", &errors.rmse)?;
+        keys.serialize_field("relative_mse", &errors.relative_mse)?;
+        keys.serialize_field("trimmed_relative_mse", &errors.trimmed_relative_mse)?;
+        keys.serialize_field("flip", &errors.flip)?;
+        keys.serialize_field("bias", &bias.root())?;
+        keys.serialize_field("bias_limit", &bias.limit())?;
+        keys.serialize_field("bias_is_significant", &bias.is_significant())?;
+        keys.serialize_field("bias_squared", &bias.squared)?;
+        keys.serialize_field("bias_squared_error", &bias.squared_error)?;
+        keys.serialize_field("mean_radiance", mean_radiance)?;
+        // Null where it is infinite.
+        keys.serialize_field("efficiency", &self.efficiency())?;
+        keys.end()
+    }
+}
+
 /// Slopes of the root mean square error in a log-log plot: -0.5 for independent samples, steeper for better ones, 0 for
 /// what does not converge.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
 pub struct Fit {
     /// Against samples per pixel; `None` with fewer than two usable steps.
     #[serde(rename = "slope_against_samples")]
@@ -62,7 +84,7 @@ pub struct Fit {
 }
 
 /// One variant at all its steps.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Curve {
     /// The variant, as tables and plots name it.
     pub label: String,
@@ -73,6 +95,7 @@ pub struct Curve {
     /// By growing number of samples.
     pub steps: Vec<Step>,
     /// Slopes of the error over the steps.
+    #[serde(flatten)]
     pub fit: Fit,
 }
 

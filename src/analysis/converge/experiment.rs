@@ -9,13 +9,14 @@ use crate::error::{Error, Result};
 use crate::scene::Scene;
 
 /// The result for one scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, serde::Serialize)]
 pub struct Convergence {
     /// By the numbers that curves hold.
     pub references: Vec<ReferenceFacts>,
     /// One of every variant that was begun, with the steps that were finished.
     pub curves: Vec<Curve>,
     /// True if it was stopped before all was measured.
+    #[serde(skip)]
     pub stopped: bool,
 }
 

@@ -39,11 +39,6 @@ impl Axis {
         Self { title, range, ticks, lines }
     }
 
-    /// The same axis labelled at other places.
-    pub fn labelled_at(self, ticks: Vec<f64>) -> Self {
-        Self { ticks, ..self }
-    }
-
     /// The place of a value from 0 at the low end to 1 at the high one.
     pub fn place(&self, value: f64) -> f32 {
         let [low, high] = self.range.map(decimal_logarithm);

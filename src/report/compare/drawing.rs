@@ -26,9 +26,10 @@ const HIGHEST: usize = 4000;
 /// ```
 pub fn draw_comparison(comparison: &Comparison) -> Drawing {
     let framed = (comparison.worst.flip > 0.0).then_some(comparison.worst);
-    let drawing = match &comparison.after {
-        None => draw_row(&comparison.before, "yours", framed),
-        Some(after) => draw_row(&comparison.before, "yours", None).above(&draw_row(after, "yours, undone", framed)),
+    let before = &comparison.views.before;
+    let drawing = match &comparison.views.after {
+        None => draw_row(before, "yours", framed),
+        Some(after) => draw_row(before, "yours", None).above(&draw_row(after, "yours, undone", framed)),
     };
     drawing.above(&draw_legend(drawing.width()))
 }

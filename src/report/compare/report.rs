@@ -1,17 +1,4 @@
 //! The report of `skycube compare`, as text and as JSON.
-//!
-//! The JSON has these keys, in this order; numbers are rounded to the digits that are stable:
-//!
-//! ```text
-//! verdict:      identical | matches | differs
-//! metric, value, threshold                                   what the verdict went by
-//! mine:         { width, height, format, bit_depth, alpha }
-//! expected:     { the same }
-//! findings:     [ { kind, sentence, and the figures of that kind } ]
-//! metrics:      { before: { rmse, psnr, ssim, flip },        psnr is null for equal pictures
-//!                 after:  { the same } or null }             null if nothing was undone
-//! worst_region: { x, y, width, height, flip, flip_outside, share }
-//! ```
 
 use std::fmt;
 
@@ -19,7 +6,8 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use super::super::json::to_json;
-use crate::compare::{Comparison, Finding, Region, Verdict};
+use crate::choice::name_of;
+use crate::compare::{Comparison, Region, Verdict};
 use crate::digits::digits;
 use crate::metrics::Metrics;
 use crate::picture::Header;
@@ -70,51 +58,41 @@ impl Metric {
 }
 
 /// A comparison, to be printed.
+#[derive(Serialize)]
 pub struct CompareReport<'a> {
-    /// What was compared, and what was found.
-    pub comparison: &'a Comparison,
-    /// The metric that decides the verdict.
-    pub metric: Metric,
-    /// The largest error that passes (PSNR: the smallest), in units of the metric.
-    pub threshold: f64,
+    /// What it comes to. The measure is taken of the pictures as they are.
+    pub verdict: Verdict,
+    metric: Metric,
+    #[serde(serialize_with = "digits::<5, _>")]
+    value: f64,
+    threshold: f64,
+    #[serde(flatten)]
+    comparison: &'a Comparison,
 }
 
-impl CompareReport<'_> {
-    /// What it comes to. The measure is taken of the pictures as they are.
-    pub fn verdict(&self) -> Verdict {
-        self.comparison.verdict(self.metric.is_within(self.value(), self.threshold))
-    }
-
-    fn value(&self) -> f64 {
-        self.metric.of(&self.comparison.before.metrics)
+impl<'a> CompareReport<'a> {
+    /// The report by the metric that decides, and the largest error that passes (PSNR: the smallest) in its units.
+    pub fn new(comparison: &'a Comparison, metric: Metric, threshold: f64) -> Self {
+        let value = metric.of(&comparison.views.before.metrics);
+        let verdict = comparison.verdict(metric.is_within(value, threshold));
+        Self { verdict, metric, value, threshold, comparison }
     }
 
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        let Comparison { mine, expected, findings, before, after, worst, .. } = self.comparison;
-        let report = Json {
-            verdict: self.verdict(),
-            metric: self.metric,
-            value: self.value(),
-            threshold: self.threshold,
-            mine,
-            expected,
-            findings,
-            metrics: Both { before: before.metrics, after: after.as_ref().map(|view| view.metrics) },
-            worst_region: worst,
-        };
-        to_json("compare", &report)
+        to_json("compare", self)
     }
 
     fn verdict_line(&self) -> String {
-        let (name, value, threshold) = (format!("{:?}", self.metric).to_uppercase(), self.value(), self.threshold);
-        let bound = match self.metric {
+        let Self { verdict, metric, value, threshold, .. } = *self;
+        let name = name_of(metric).to_uppercase();
+        let bound = match metric {
             Metric::Flip | Metric::Rmse => "at most",
             Metric::Psnr | Metric::Ssim => "at least",
         };
         let measured = format!("{name} is {} ({bound} {threshold} required)", in_digits(value));
-        let within = self.metric.is_within(value, threshold);
-        match self.verdict() {
+        let within = metric.is_within(value, threshold);
+        match verdict {
             Verdict::Identical => "identical: every pixel is the same".to_owned(),
             Verdict::Matches => format!("matches: {measured}"),
             Verdict::Differs if within => format!("differs: {measured}, but it is not the same picture"),
@@ -125,7 +103,7 @@ impl CompareReport<'_> {
 
 impl fmt::Display for CompareReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Comparison { mine, expected, findings, before, after, worst, .. } = self.comparison;
+        let Comparison { mine, expected, findings, views, worst, .. } = self.comparison;
         writeln!(formatter, "{}", self.verdict_line())?;
         writeln!(formatter, "\nyours     {}", header(mine))?;
         writeln!(formatter, "expected  {}", header(expected))?;
@@ -136,13 +114,13 @@ impl fmt::Display for CompareReport<'_> {
             writeln!(formatter, "- {}", finding.sentence)?;
         }
         writeln!(formatter, "\n              RMSE     PSNR     SSIM     FLIP")?;
-        writeln!(formatter, "as it is   {}", row(&before.metrics))?;
-        if let Some(after) = after {
+        writeln!(formatter, "as it is   {}", row(&views.before.metrics))?;
+        if let Some(after) = &views.after {
             writeln!(formatter, "undone     {}", row(&after.metrics))?;
         }
-        if worst.flip > 0.0 && self.comparison.last_view().metrics.flip > 0.0 {
-            let pixels = self.comparison.last_view().mine.pixels().len();
-            writeln!(formatter, "\n{}", worst_line(worst, pixels, after.is_some()))?;
+        if worst.flip > 0.0 && views.last().metrics.flip > 0.0 {
+            let pixels = views.last().mine.pixels().len();
+            writeln!(formatter, "\n{}", worst_line(worst, pixels, views.after.is_some()))?;
         }
         Ok(())
     }
@@ -175,25 +153,4 @@ fn worst_line(worst: &Region, pixels: usize, undone: bool) -> String {
 
 fn in_digits(value: f64) -> String {
     if value.is_finite() { format!("{value:.4}") } else { "infinite".to_owned() }
-}
-
-/// The report for machines.
-#[derive(Serialize)]
-struct Json<'a> {
-    verdict: Verdict,
-    metric: Metric,
-    #[serde(serialize_with = "digits::<5, _>")]
-    value: f64,
-    threshold: f64,
-    mine: &'a Header,
-    expected: &'a Header,
-    findings: &'a [Finding],
-    metrics: Both,
-    worst_region: &'a Region,
-}
-
-#[derive(Serialize)]
-struct Both {
-    before: Metrics,
-    after: Option<Metrics>,
 }

@@ -2,14 +2,15 @@
 
 use std::fmt;
 
-use serde_json::{Value, json};
+use serde::Serialize;
+use serde_json::json;
 
 use super::super::grouped::grouped;
 use super::super::json::to_json;
-use crate::converge::{Bias, Convergence, Curve, ReferenceFacts, Step};
+use crate::converge::{Bias, Convergence, Curve, ReferenceFacts};
 
 /// The report of `skycube converge`.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ConvergeReport {
     /// In the order of the command line.
     pub scenes: Vec<ConvergedScene>,
@@ -18,58 +19,26 @@ pub struct ConvergeReport {
 }
 
 /// The result for one scene.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct ConvergedScene {
     /// The scene file's name.
+    #[serde(rename = "scene")]
     pub name: String,
-    /// Width and height in pixels.
-    pub size: [usize; 2],
+    /// Width of the picture in pixels.
+    pub width: usize,
+    /// Height of the picture in pixels.
+    pub height: usize,
     /// Renderings of every variant.
     pub seeds: u32,
     /// References and curves of the scene.
+    #[serde(flatten)]
     pub convergence: Convergence,
 }
 
 impl ConvergeReport {
-    /// The report for machines.
+    /// The report for machines, its keys in the order of the alphabet.
     pub fn to_json(&self) -> String {
-        let scenes: Vec<Value> = self.scenes.iter().map(ConvergedScene::to_json).collect();
-        to_json("converge", &json!({ "stopped": self.stopped, "scenes": scenes }))
-    }
-}
-
-impl ConvergedScene {
-    fn to_json(&self) -> Value {
-        let step = |step: &Step| {
-            let mut value = json!(step);
-            value["bias"] = json!(step.bias.root());
-            value["bias_limit"] = json!(step.bias.limit());
-            value["bias_is_significant"] = json!(step.bias.is_significant());
-            // Null where it is infinite.
-            value["efficiency"] = json!(step.efficiency());
-            value
-        };
-        let curve = |curve: &Curve| {
-            let mut value = json!(curve.fit);
-            value["label"] = json!(curve.label);
-            value["configuration"] = json!(curve.configuration);
-            value["reference"] = json!(curve.reference);
-            value["steps"] = curve.steps.iter().map(step).collect();
-            value
-        };
-        json!({
-            "scene": self.name,
-            "width": self.size[0],
-            "height": self.size[1],
-            "seeds": self.seeds,
-            "references": self.convergence.references,
-            "curves": self.convergence.curves.iter().map(curve).collect::<Vec<_>>(),
-        })
-    }
-
-    /// What a curve is called beside others.
-    pub fn label<'a>(&'a self, curve: &'a Curve) -> &'a str {
-        if curve.label.is_empty() { "as in the scene" } else { &curve.label }
+        to_json("converge", &json!(self))
     }
 }
 
@@ -90,7 +59,7 @@ impl fmt::Display for ConvergeReport {
 
 impl fmt::Display for ConvergedScene {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { name, size: [width, height], seeds, convergence } = self;
+        let Self { name, width, height, seeds, convergence } = self;
         writeln!(formatter, "{name}: {width} x {height} pixels, means over {seeds} seeds")?;
         for (number, reference) in convergence.references.iter().enumerate() {
             writeln!(formatter, "reference {}: {}", number + 1, reference_line(reference))?;
@@ -121,6 +90,11 @@ fn reference_line(reference: &ReferenceFacts) -> String {
 }
 
 impl ConvergedScene {
+    /// What a curve is called beside others.
+    pub fn label<'a>(&'a self, curve: &'a Curve) -> &'a str {
+        if curve.label.is_empty() { "as in the scene" } else { &curve.label }
+    }
+
     fn write_curve(&self, formatter: &mut fmt::Formatter<'_>, curve: &Curve) -> fmt::Result {
         let against = if self.convergence.references.len() > 1 {
             format!(" (against reference {})", curve.reference + 1)

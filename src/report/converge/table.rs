@@ -3,37 +3,15 @@
 use super::report::{ConvergeReport, ConvergedScene};
 use crate::converge::{Curve, Step};
 
-const COLUMNS: [&str; 25] = [
-    "scene",
-    "label",
-    "integrator",
-    "depth",
-    "strategy",
-    "caustics",
-    "sampler",
-    "pixel_filter",
-    "environment_filter",
-    "samples",
-    "seconds",
-    "rays",
-    "rmse",
-    "relative_mse",
-    "trimmed_relative_mse",
-    "flip",
-    "bias_squared",
-    "bias_squared_error",
-    "mean_radiance",
-    "efficiency",
-    "slope_against_samples",
-    "slope_against_seconds",
-    "reference",
-    "reference_samples",
-    "reference_rmse",
-];
+/// The names of the columns.
+const HEADER: &str = "\
+    scene,label,integrator,depth,strategy,caustics,sampler,pixel_filter,environment_filter,samples,seconds,rays,\
+    rmse,relative_mse,trimmed_relative_mse,flip,bias_squared,bias_squared_error,mean_radiance,efficiency,\
+    slope_against_samples,slope_against_seconds,reference,reference_samples,reference_rmse\n";
 
 /// One line per step, under a line of names (RFC 4180, but for the ends of lines). Unknown values are empty.
 pub fn converge_csv(report: &ConvergeReport) -> String {
-    let mut text = COLUMNS.join(",") + "\n";
+    let mut text = HEADER.to_owned();
     for scene in &report.scenes {
         for curve in &scene.convergence.curves {
             for step in &curve.steps {
@@ -65,7 +43,7 @@ fn fields(scene: &ConvergedScene, curve: &Curve, step: &Step) -> Vec<String> {
     fields.extend(figures.map(|figure| figure.to_string()));
     fields.extend([slope(curve.fit.against_samples), slope(curve.fit.against_seconds)]);
     fields.extend([reference.key.clone(), reference.samples.to_string(), reference.errors.rmse.to_string()]);
-    debug_assert_eq!(fields.len(), COLUMNS.len());
+    debug_assert_eq!(fields.len(), HEADER.split(',').count());
     fields
 }
 

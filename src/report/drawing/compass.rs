@@ -21,7 +21,7 @@ use tiny_skia::{Color, Pixmap, PixmapMut};
 
 use super::canvas::{Canvas, pixmap_of};
 use super::text_drawing::Anchor;
-use crate::envmap::{Face, Preset};
+use crate::envmap::{Face, Preset, SignedAxis};
 use crate::math::Vec3;
 use crate::picture::{Format, Header, Picture, Texels, without_opacity};
 
@@ -47,37 +47,32 @@ pub fn draw_compass_face(face: Face, size: usize) -> Picture {
     Picture::new(header, Texels::Srgb8(texels))
 }
 
-/// Where a face lies on the cube `[-1, 1]^3`: the faces its picture faces, grows to the right and grows down to.
-pub(super) struct FaceFrame {
-    pub face: Face,
-    /// The neighbour at the right border: the direction of growing u.
-    pub right: Face,
-    /// The neighbour at the lower border: the direction of growing v.
-    pub below: Face,
+/// Where a face lies on the cube `[-1, 1]^3`, and the axes along which its picture grows.
+struct FaceFrame {
+    face: Face,
+    /// Growing u: through the neighbour at the right border.
+    right: SignedAxis,
+    /// Growing v: through the neighbour at the lower border.
+    below: SignedAxis,
 }
 
 impl FaceFrame {
     /// The row of the `opengl` table for this face, where v = 0 is the top row.
-    pub fn opengl(face: Face) -> Self {
+    fn opengl(face: Face) -> Self {
         let row = Preset::Opengl.lookup().row(face);
-        Self { face, right: row.u.face(), below: row.v.face() }
+        Self { face, right: row.u, below: row.v }
     }
 
     /// The point of the cube's surface at face coordinates `s` (growing u) and `t` (growing v), -1 to 1.
-    pub fn point(&self, s: f32, t: f32) -> Vec3 {
-        self.face.normal() + s * self.right.normal() + t * self.below.normal()
+    fn point(&self, s: f32, t: f32) -> Vec3 {
+        self.face.normal() + s * self.right.direction() + t * self.below.direction()
     }
 
     /// The neighbour across the border nearest to the face coordinates `s`, `t`.
     fn nearest_neighbour(&self, s: f32, t: f32) -> Face {
-        let (face, positive) = if s.abs() > t.abs() { (self.right, s > 0.0) } else { (self.below, t > 0.0) };
-        if positive { face } else { opposite(face) }
+        let (axis, positive) = if s.abs() > t.abs() { (self.right, s > 0.0) } else { (self.below, t > 0.0) };
+        if positive { axis.face() } else { (-axis).face() }
     }
-}
-
-/// The face on the other side of the cube.
-fn opposite(face: Face) -> Face {
-    Face::ALL[face.index() ^ 1]
 }
 
 /// The colour of a face, sRGB-encoded, 0 to 1.
@@ -223,13 +218,13 @@ fn draw_neighbours(canvas: &mut Canvas, frame: &FaceFrame) {
     const DEPTH: f32 = 92.0;
     let (middle, far) = (0.5 * LAYOUT, LAYOUT - DEPTH);
     let sides = [
-        (opposite(frame.below), (middle, DEPTH), 0.0),
+        (-frame.below, (middle, DEPTH), 0.0),
         (frame.right, (far, middle), 90.0),
         (frame.below, (middle, far), 180.0),
-        (opposite(frame.right), (DEPTH, middle), 270.0),
+        (-frame.right, (DEPTH, middle), 270.0),
     ];
-    for (neighbour, baseline, turn) in sides {
-        let label = format!("{} {}", neighbour.signed_name().to_uppercase(), neighbour.name());
+    for (axis, baseline, turn) in sides {
+        let label = format!("{} {}", axis.to_string().to_uppercase(), axis.face().name());
         canvas.text(&label, 26.0, baseline, turn, Anchor::Middle);
     }
 }

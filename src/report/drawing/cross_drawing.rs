@@ -3,15 +3,14 @@
 use tiny_skia::Color;
 
 use super::canvas::{Canvas, blank, dark, displayed, ground};
-use super::cross_layout::{CrossCell, CrossEdge, CrossLayout};
+use super::cross_layout::{CrossCell, CrossLayout};
 use super::finished::Drawing;
-use super::seam_mark::{SeamMark, verdict_colour};
 use super::text_drawing::{Anchor, text_width};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, Lookup, SignedAxis};
 use crate::parallel;
 use crate::render::front;
-use crate::validate::Verdict;
+use crate::validate::{Seam, Verdict};
 
 /// Side of a cell in the units of the drawing.
 const CELL: f32 = 256.0;
@@ -24,8 +23,8 @@ pub struct CrossInput<'a> {
     pub world_up: SignedAxis,
     /// The file that each face reads, in the order of [`Face::ALL`].
     pub files: &'a [String; 6],
-    /// One for each of the twelve edges, in any order; edges without a mark are drawn thin and grey.
-    pub marks: &'a [SeamMark],
+    /// Under the lookup of the map, in any order.
+    pub seams: &'a [Seam],
     pub heading: &'a str,
     /// Side of a cell in pixels.
     pub cell: usize,
@@ -45,22 +44,24 @@ pub fn draw_cross(input: &CrossInput) -> Drawing {
         let place = [cell.column, cell.row].map(|index| margin + index * input.cell);
         canvas.picture(&displayed(view, input.tone_map), place);
     }
-    for edge in &layout.edges {
-        draw_seam(&mut canvas, &layout, edge, mark_of(input.marks, edge.faces));
+    for seam in input.seams {
+        // At both its sides where the cross tears it apart.
+        let drawn = if layout.joins(seam.edge) { 1 } else { 2 };
+        for (cell, side) in layout.sides(seam.edge).into_iter().take(drawn) {
+            draw_seam(&mut canvas, cell, side, seam);
+        }
     }
     for cell in &layout.cells {
         draw_axes(&mut canvas, input, cell);
         draw_name(&mut canvas, cell, &input.files[cell.shot.direction.index()]);
     }
-    for edge in &layout.edges {
-        draw_letters(&mut canvas, &layout, edge);
+    for (edge, letter) in layout.torn() {
+        for (cell, (x, y)) in layout.sides(edge) {
+            draw_letter(&mut canvas, letter, place(cell, 0.82 * x, 0.82 * y));
+        }
     }
     draw_legend(&mut canvas, input);
     Drawing(pixmap)
-}
-
-fn mark_of(marks: &[SeamMark], faces: [Face; 2]) -> Option<&SeamMark> {
-    marks.iter().find(|mark| mark.edge == faces || mark.edge == [faces[1], faces[0]])
 }
 
 /// The top left corner of a cell in units.
@@ -74,28 +75,22 @@ fn place(cell: &CrossCell, right: f32, down: f32) -> (f32, f32) {
     (x + CELL * (1.0 + right) / 2.0, y + CELL * (1.0 + down) / 2.0)
 }
 
-/// The line along an edge, at both its sides where the cross tears it apart.
-fn draw_seam(canvas: &mut Canvas, layout: &CrossLayout, edge: &CrossEdge, mark: Option<&SeamMark>) {
-    let (width, colour) = mark.map_or((1.0, Color::from_rgba8(120, 120, 120, 255)), SeamMark::stroke);
-    let torn = usize::from(edge.letter.is_some());
-    for end in 0..=torn {
-        let (x, y) = edge.sides[end].step();
-        let (x, y) = (x as f32, y as f32);
-        let cell = layout.cell(edge.faces[end]);
-        // Not quite to the corners, where other seams arrive.
-        let ends = [-0.96, 0.96].map(|along| place(cell, x + along * y.abs(), y + along * x.abs()));
-        canvas.line(&ends, width + 2.0, dark());
-        canvas.line(&ends, width, colour);
-    }
+/// The line along a side of a cell: the wider, the worse; from 2 units up to 14 at ten times the detail and more.
+fn draw_seam(canvas: &mut Canvas, cell: &CrossCell, (x, y): (f32, f32), seam: &Seam) {
+    let excess = (seam.score - 1.0).clamp(0.0, 9.0) as f32;
+    let width = 2.0 + 12.0 * excess / 9.0;
+    // Not quite to the corners, where other seams arrive.
+    let ends = [-0.96, 0.96].map(|along| place(cell, x + along * y.abs(), y + along * x.abs()));
+    canvas.line(&ends, width + 2.0, dark());
+    canvas.line(&ends, width, verdict_colour(seam.verdict));
 }
 
-/// The letter of a torn edge on both its sides.
-fn draw_letters(canvas: &mut Canvas, layout: &CrossLayout, edge: &CrossEdge) {
-    let Some(letter) = edge.letter else { return };
-    for (face, side) in edge.faces.into_iter().zip(edge.sides) {
-        let (x, y) = side.step();
-        let centre = place(layout.cell(face), 0.82 * x as f32, 0.82 * y as f32);
-        draw_letter(canvas, letter, centre);
+/// Green, red, amber.
+fn verdict_colour(verdict: Verdict) -> Color {
+    match verdict {
+        Verdict::Fits => Color::from_rgba8(60, 200, 90, 255),
+        Verdict::Broken => Color::from_rgba8(240, 50, 40, 255),
+        Verdict::Undecidable => Color::from_rgba8(250, 190, 30, 255),
     }
 }
 
@@ -120,7 +115,7 @@ fn draw_axes(canvas: &mut Canvas, input: &CrossInput, cell: &CrossCell) {
     const INSET: f32 = 0.76;
     const LENGTH: f32 = 0.42;
     let row = input.map.lookup().row(cell.shot.direction);
-    let (u, v) = (on_screen(cell, row.u), on_screen(cell, row.v));
+    let (u, v) = (cell.on_screen(row.u), cell.on_screen(row.v));
     let origin = (-INSET * (u.0 + v.0), -INSET * (u.1 + v.1));
     let along = |axis: (f32, f32), length: f32| place(cell, origin.0 + length * axis.0, origin.1 + length * axis.1);
     for (axis, name, colour) in [(u, "u", u_colour()), (v, "v", v_colour())] {
@@ -137,12 +132,6 @@ fn u_colour() -> Color {
 
 fn v_colour() -> Color {
     Color::from_rgba8(150, 215, 255, 255)
-}
-
-/// Where an axis points in the cell: to the right and down.
-fn on_screen(cell: &CrossCell, axis: SignedAxis) -> (f32, f32) {
-    let direction = axis.direction();
-    (direction.dot(cell.shot.right().direction()), -direction.dot(cell.shot.up.direction()))
 }
 
 /// The face's name and file on a dark plate below the middle.
@@ -173,16 +162,18 @@ fn draw_legend(canvas: &mut Canvas, input: &CrossInput) {
     let up = input.world_up;
     note(canvas, &format!("{up} up, front {}; seen from inside", front(up)), 17.0, (LEFT, top + 56.0));
     note(canvas, &mirrored(input.map.lookup()), 17.0, (LEFT, top + 82.0));
-    let bottom = MARGIN + 2.0 * CELL + 44.0;
-    let rows = [Verdict::Fits, Verdict::Broken, Verdict::Undecidable];
-    let shown = rows.into_iter().filter(|row| input.marks.iter().any(|mark| mark.verdict == *row));
-    let mut y = bottom;
-    for verdict in shown {
+    let mut y = MARGIN + 2.0 * CELL + 44.0;
+    for verdict in [Verdict::Fits, Verdict::Broken, Verdict::Undecidable] {
+        let alike = input.seams.iter().filter(|seam| seam.verdict == verdict);
+        let names: Vec<String> = alike.map(|seam| seam.edge.name()).collect();
+        if names.is_empty() {
+            continue;
+        }
         let ends = [(LEFT, y - 6.0), (LEFT + 40.0, y - 6.0)];
         canvas.line(&ends, 8.0, dark());
         canvas.line(&ends, 6.0, verdict_colour(verdict));
-        let edges = edges(input.marks, verdict);
-        note(canvas, &format!("seam {}: {edges}", verdict.name()), 17.0, (WORDS, y));
+        let names = if names.len() == 12 { "all twelve".to_owned() } else { names.join(" ") };
+        note(canvas, &format!("seam {}: {names}", verdict.name()), 17.0, (WORDS, y));
         y += 26.0;
     }
     note(canvas, "the wider, the larger the step across against the steps beside it", 15.0, (LEFT, y));
@@ -203,29 +194,5 @@ fn mirrored(lookup: &Lookup) -> String {
         0 => "the lookup mirrors no face".to_owned(),
         6 => "the lookup mirrors all six faces".to_owned(),
         _ => format!("the lookup mirrors {}", mirrored.join(" ")),
-    }
-}
-
-/// `all twelve`, or their names.
-fn edges(marks: &[SeamMark], verdict: Verdict) -> String {
-    let alike: Vec<String> = marks
-        .iter()
-        .filter(|mark| mark.verdict == verdict)
-        .map(|mark| mark.edge.map(Face::signed_name).concat())
-        .collect();
-    if alike.len() == 12 { "all twelve".to_owned() } else { alike.join(" ") }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn arrows_of_the_course_lie_as_its_table_says() {
-        // +x in a z-up world: u along -y is to the right, v along +z upwards.
-        let layout = CrossLayout::new(SignedAxis::POS_Z);
-        let cell = layout.cell(Face::PosX);
-        assert_eq!(on_screen(cell, SignedAxis::NEG_Y), (1.0, 0.0));
-        assert_eq!(on_screen(cell, SignedAxis::POS_Z), (0.0, -1.0));
     }
 }

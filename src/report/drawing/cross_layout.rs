@@ -12,15 +12,7 @@
 
 use crate::envmap::{Face, SignedAxis};
 use crate::render::{AxisShot, front};
-
-/// A side of a cell, as it is drawn.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Side {
-    Top,
-    Right,
-    Bottom,
-    Left,
-}
+use crate::validate::Edge;
 
 /// The place of one face.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -33,15 +25,19 @@ pub struct CrossCell {
     pub row: usize,
 }
 
-/// An edge of the cube in the cross.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct CrossEdge {
-    /// The two faces, in the order of [`Face::ALL`].
-    pub faces: [Face; 2],
-    /// The side of either face's cell.
-    pub sides: [Side; 2],
-    /// The letter of an edge whose cells are not beside each other, from A on.
-    pub letter: Option<char>,
+impl CrossCell {
+    /// Where an axis points in the cell: to the right and down. Towards a neighbour this is the side they share.
+    pub fn on_screen(&self, axis: SignedAxis) -> (f32, f32) {
+        let direction = axis.direction();
+        (direction.dot(self.shot.right().direction()), -direction.dot(self.shot.up.direction()))
+    }
+
+    /// True if the cell of a neighbour lies across the side towards it.
+    fn is_beside(&self, neighbour: &Self) -> bool {
+        let (right, down) = self.on_screen(neighbour.shot.direction.signed_axis());
+        let place = (self.column as f32 + right, self.row as f32 + down);
+        place == (neighbour.column as f32, neighbour.row as f32)
+    }
 }
 
 /// The whole cross.
@@ -49,39 +45,6 @@ pub struct CrossEdge {
 pub struct CrossLayout {
     /// In the order of [`Face::ALL`].
     pub cells: [CrossCell; 6],
-    pub edges: Vec<CrossEdge>,
-}
-
-impl Side {
-    const ALL: [Self; 4] = [Side::Top, Side::Right, Side::Bottom, Side::Left];
-
-    /// One cell further: columns to the right, rows down.
-    pub fn step(self) -> (isize, isize) {
-        match self {
-            Side::Top => (0, -1),
-            Side::Right => (1, 0),
-            Side::Bottom => (0, 1),
-            Side::Left => (-1, 0),
-        }
-    }
-}
-
-impl CrossCell {
-    /// The face across a side.
-    pub fn neighbour(&self, side: Side) -> Face {
-        let axis = match side {
-            Side::Top => self.shot.up,
-            Side::Right => self.shot.right(),
-            Side::Bottom => -self.shot.up,
-            Side::Left => -self.shot.right(),
-        };
-        axis.face()
-    }
-
-    /// The side towards a neighbour. None for the face itself and its opposite.
-    pub fn side_towards(&self, neighbour: Face) -> Option<Side> {
-        Side::ALL.into_iter().find(|&side| self.neighbour(side) == neighbour)
-    }
 }
 
 impl CrossLayout {
@@ -96,38 +59,32 @@ impl CrossLayout {
             let (_, column, row) = place.unwrap_or((-world_up, 1, 2));
             CrossCell { shot: AxisShot::new(face, world_up), column, row }
         });
-        Self { cells, edges: edges(&cells) }
+        Self { cells }
     }
 
     /// The cell of a face.
     pub fn cell(&self, face: Face) -> &CrossCell {
         &self.cells[face.index()]
     }
-}
 
-/// The twelve edges, +x+y +x-y +x+z +x-z -x+y -x-y -x+z -x-z +y+z +y-z -y+z -y-z.
-fn edges(cells: &[CrossCell; 6]) -> Vec<CrossEdge> {
-    let mut letters = 'A'..='G';
-    let mut edges = Vec::new();
-    for first in Face::ALL {
-        for second in Face::ALL.into_iter().filter(|second| second.axis() > first.axis()) {
-            let (one, other) = (&cells[first.index()], &cells[second.index()]);
-            let sides = one.side_towards(second).zip(other.side_towards(first));
-            let sides = sides.expect("faces on different axes have an edge").into();
-            let letter = if are_beside(one, other, sides) { None } else { letters.next() };
-            edges.push(CrossEdge { faces: [first, second], sides, letter });
-        }
+    /// The two cells at an edge, each with its side towards the other.
+    pub fn sides(&self, edge: Edge) -> [(&CrossCell, (f32, f32)); 2] {
+        [(edge.first, edge.second), (edge.second, edge.first)].map(|(face, neighbour)| {
+            let cell = self.cell(face);
+            (cell, cell.on_screen(neighbour.signed_axis()))
+        })
     }
-    edges
-}
 
-/// True if the two sides are one line of the cross.
-fn are_beside(one: &CrossCell, other: &CrossCell, sides: [Side; 2]) -> bool {
-    let reaches = |from: &CrossCell, side: Side, to: &CrossCell| {
-        let (columns, rows) = side.step();
-        from.column as isize + columns == to.column as isize && from.row as isize + rows == to.row as isize
-    };
-    reaches(one, sides[0], other) && reaches(other, sides[1], one)
+    /// True if the two cells lie side by side at the edge.
+    pub fn joins(&self, edge: Edge) -> bool {
+        let (one, other) = (self.cell(edge.first), self.cell(edge.second));
+        one.is_beside(other) && other.is_beside(one)
+    }
+
+    /// The edges that are torn apart, each with its letter.
+    pub fn torn(&self) -> impl Iterator<Item = (Edge, char)> {
+        Edge::ALL.into_iter().filter(|edge| !self.joins(*edge)).zip('A'..)
+    }
 }
 
 #[cfg(test)]
@@ -135,8 +92,8 @@ mod tests {
     use super::*;
 
     fn joined(layout: &CrossLayout) -> String {
-        let joined = layout.edges.iter().filter(|edge| edge.letter.is_none());
-        joined.map(|edge| edge.faces.map(Face::signed_name).concat()).collect::<Vec<_>>().join(" ")
+        let joined = Edge::ALL.into_iter().filter(|edge| layout.joins(*edge));
+        joined.map(Edge::name).collect::<Vec<_>>().join(" ")
     }
 
     #[test]
@@ -151,23 +108,30 @@ mod tests {
     fn both_ends_of_a_shared_side_are_the_same_points_of_the_cube() {
         for world_up in Face::ALL.map(Face::signed_axis) {
             let layout = CrossLayout::new(world_up);
-            assert_eq!(layout.edges.iter().filter_map(|edge| edge.letter).collect::<String>(), "ABCDEFG");
-            for edge in layout.edges.iter().filter(|edge| edge.letter.is_none()) {
+            assert_eq!(layout.torn().map(|(_, letter)| letter).collect::<String>(), "ABCDEFG");
+            for edge in Edge::ALL.into_iter().filter(|edge| layout.joins(*edge)) {
                 // The directions at the two ends of the side, going right or down, agree from both cells.
-                let [one, other] = [0, 1].map(|end| ends(layout.cell(edge.faces[end]), edge.sides[end]));
-                assert_eq!(one, other, "{edge:?} with {world_up} up");
+                let one = ends(layout.cell(edge.first), edge.second);
+                assert_eq!(one, ends(layout.cell(edge.second), edge.first), "{edge:?} with {world_up} up");
             }
         }
     }
 
-    /// The corners of the cube at the ends of a side: its left or upper end first.
-    fn ends(cell: &CrossCell, side: Side) -> [[f32; 3]; 2] {
-        let towards = cell.neighbour(side).normal() + cell.shot.direction.normal();
-        let along = match side {
-            Side::Top | Side::Bottom => cell.shot.right().direction(),
-            Side::Left | Side::Right => -cell.shot.up.direction(),
-        };
+    /// The corners of the cube at the ends of the side towards a neighbour: its left or upper end first.
+    fn ends(cell: &CrossCell, neighbour: Face) -> [[f32; 3]; 2] {
+        let towards = neighbour.normal() + cell.shot.direction.normal();
+        let (across, _) = cell.on_screen(neighbour.signed_axis());
+        let along = if across == 0.0 { cell.shot.right() } else { -cell.shot.up }.direction();
         [(towards - along).to_array(), (towards + along).to_array()]
+    }
+
+    #[test]
+    fn arrows_of_the_course_lie_as_its_table_says() {
+        // +x in a z-up world: u along -y is to the right, v along +z upwards.
+        let layout = CrossLayout::new(SignedAxis::POS_Z);
+        let cell = layout.cell(Face::PosX);
+        assert_eq!(cell.on_screen(SignedAxis::NEG_Y), (1.0, 0.0));
+        assert_eq!(cell.on_screen(SignedAxis::POS_Z), (0.0, -1.0));
     }
 
     #[test]

@@ -6,7 +6,6 @@ mod contact_sheet;
 mod cross_drawing;
 mod cross_layout;
 mod finished;
-mod seam_mark;
 mod text_drawing;
 
 pub(super) use canvas::{Canvas, blank, dark, displayed, ground, pixmap_of};
@@ -14,7 +13,6 @@ pub use compass::draw_compass_face;
 pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
 pub use cross_drawing::{CrossInput, draw_cross};
 pub use finished::Drawing;
-pub use seam_mark::SeamMark;
 pub(super) use text_drawing::text_width;
 pub use text_drawing::{Anchor, text_path};
 

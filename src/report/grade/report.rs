@@ -3,15 +3,15 @@
 
 use std::fmt;
 
-use serde::Serialize;
+use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::super::json::to_json;
 use super::sentences::{
     DIVISION, cause, describe, faces, other_explanation, other_up, out_of_range, preset, repair, undecided,
 };
 use crate::digits::rounded;
-use crate::envmap::{ImageOperation, Lookup, SignedAxis, VOrigin};
-use crate::grade::{CameraFault, Cause, FaceGrade, Grade, GradeVerdict, Misfit, PresetReading, ShotFrame, other_ups};
+use crate::envmap::{ImageOperation, Lookup, SignedAxis};
+use crate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit, ShotFrame, other_ups};
 use crate::render::AxisShot;
 
 /// A grade and the names of what was graded.
@@ -32,24 +32,36 @@ pub struct GradeReport<'a> {
 }
 
 /// The report for machines.
-#[derive(Serialize)]
-struct Json<'a> {
-    verdict: GradeVerdict,
-    map: &'a str,
-    lookup: &'a str,
-    world_up: SignedAxis,
-    camera: JsonCamera,
-    /// True if the code does not divide by the largest component.
-    undivided: bool,
-    faces: &'a [FaceGrade; 6],
-    /// What the code contains, if that is another preset.
-    preset: &'a Option<PresetReading>,
-    /// The slips that explain the shots, the likeliest first.
-    causes: Vec<String>,
-    notes: Vec<String>,
+impl Serialize for GradeReport<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let Grade { camera, field_of_view, undivided, faces, preset, .. } = self.grade;
+        let camera = JsonCamera {
+            right: *camera == CameraFault::NONE && field_of_view.is_none(),
+            fault: *camera,
+            image_operation: camera.image_operation(),
+            // A tenth of a degree is more than can be known.
+            field_of_view: field_of_view.map_or(90.0, |angle| rounded(angle, 1)),
+            axes: camera.axes,
+        };
+        let mut keys = serializer.serialize_struct("GradeReport", 10)?;
+        keys.serialize_field("verdict", &self.grade.verdict())?;
+        keys.serialize_field("map", self.map)?;
+        keys.serialize_field("lookup", self.lookup)?;
+        keys.serialize_field("world_up", &self.world_up)?;
+        keys.serialize_field("camera", &camera)?;
+        // True if the code does not divide by the largest component.
+        keys.serialize_field("undivided", undivided)?;
+        keys.serialize_field("faces", faces)?;
+        // What the code contains, if that is another preset.
+        keys.serialize_field("preset", preset)?;
+        // The slips that explain the shots, the likeliest first.
+        keys.serialize_field("causes", &self.causes())?;
+        keys.serialize_field("notes", &self.notes())?;
+        keys.end()
+    }
 }
 
-#[derive(Serialize)]
+#[derive(serde::Serialize)]
 struct JsonCamera {
     right: bool,
     /// `none`, `mirrored`, `upside_down`, `turned` or `axes`.
@@ -63,37 +75,14 @@ struct JsonCamera {
 }
 
 impl GradeReport<'_> {
-    fn v_origin(&self) -> VOrigin {
-        self.table.v_origin()
-    }
-
-    fn causes(&self) -> Vec<Cause> {
-        self.grade.causes(&self.table, self.world_up)
+    fn causes(&self) -> Vec<String> {
+        let causes = self.grade.causes(&self.table, self.world_up);
+        causes.into_iter().map(|one| cause(one, self.table.v_origin())).collect()
     }
 
     /// The report for machines.
     pub fn to_json(&self) -> String {
-        let Grade { camera, field_of_view, undivided, faces, preset, .. } = self.grade;
-        let json = Json {
-            verdict: self.grade.verdict(),
-            map: self.map,
-            lookup: self.lookup,
-            world_up: self.world_up,
-            camera: JsonCamera {
-                right: *camera == CameraFault::NONE && field_of_view.is_none(),
-                fault: *camera,
-                image_operation: camera.image_operation(),
-                // A tenth of a degree is more than can be known.
-                field_of_view: field_of_view.map_or(90.0, |angle| rounded(angle, 1)),
-                axes: camera.axes,
-            },
-            undivided: *undivided,
-            faces,
-            preset,
-            causes: self.causes().into_iter().map(|one| cause(one, self.v_origin())).collect(),
-            notes: self.notes(),
-        };
-        to_json("grade", &json)
+        to_json("grade", self)
     }
 
     /// The verdict as a sentence.
@@ -133,8 +122,7 @@ impl GradeReport<'_> {
 
     /// What shots come from that show no image of the map.
     fn out_of_range(&self) -> &'static str {
-        let shown = |misfit: &Misfit| *misfit == Misfit::Unlike;
-        if self.grade.faces.iter().filter_map(|face| face.misfit).all(|misfit| shown(&misfit)) {
+        if self.grade.faces.iter().filter_map(|face| face.misfit).all(|misfit| misfit == Misfit::Unlike) {
             "a shot fits no orientation of any image: the texture is read out of range, or the map is another one, or \
              the camera is rolled, elsewhere, or not 90° wide in this shot alone"
         } else {
@@ -209,7 +197,7 @@ impl GradeReport<'_> {
         let wrong = match (face.is_wrong(), placement.image == face.expected) {
             (true, true) => {
                 // What their orientation did to the image as it should be seen.
-                let operation = placement.orientation.image_operation(self.v_origin()).name();
+                let operation = placement.orientation.image_operation(self.table.v_origin()).name();
                 format!("wrong: {operation}{}", if face.is_decided() { "" } else { " (or another of its ties)" })
             }
             _ => mark,
@@ -238,8 +226,8 @@ impl fmt::Display for GradeReport<'_> {
         }
         writeln!(formatter, "\n{}", self.verdict())?;
         let causes = self.causes();
-        for one in &causes {
-            writeln!(formatter, "  likely cause: {}", cause(*one, self.v_origin()))?;
+        for cause in &causes {
+            writeln!(formatter, "  likely cause: {cause}")?;
         }
         let or = if causes.is_empty() { "" } else { "or else: " };
         for sentence in self.camera() {

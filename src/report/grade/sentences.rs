@@ -152,10 +152,9 @@ pub(super) fn other_explanation(alternative: &Alternative, grades: &[FaceGrade; 
             names(shots)
         ),
         Alternative::Exchanged(pairs) => {
-            let pairs: Vec<String> = pairs
-                .iter()
-                .map(|(shot, other)| format!("{} is the shot along {}", shot.name(), other.signed_name()))
-                .collect();
+            let pair =
+                |(shot, other): &(Face, Face)| format!("{} is the shot along {}", shot.name(), other.signed_name());
+            let pairs: Vec<String> = pairs.iter().map(pair).collect();
             format!("a right lookup would make the same pictures if the files were named wrongly: {}", pairs.join(", "))
         }
     }

@@ -1,16 +1,4 @@
 //! The report of `skycube stress`, as text and as JSON.
-//!
-//! The JSON has these keys, in this order; numbers are rounded to three digits, and null is no number or infinity:
-//!
-//! ```text
-//! rays                                       what was spent on self-intersection
-//! cases: [ { group, name, swept, error, unit, bound,
-//!            promised: { least, most },      where the bound must be kept
-//!            range: { least, most } or null, where it was, in one stretch
-//!            worst: { magnitude, error, input },
-//!            verdict: holds | ends | fails,
-//!            sweep: [ { magnitude, error, input } ] } ]
-//! ```
 
 use std::fmt::{self, Write};
 

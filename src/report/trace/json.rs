@@ -7,25 +7,22 @@ use crate::PixelTrace;
 use crate::envmap::{Probe, ProbedTexel};
 use crate::integrators::{Event, LightOutcome};
 use crate::math::Side;
+use crate::render::PixelSample;
 use crate::scene::{IntegratorKind, Scene};
 
 /// The whole report.
 pub(super) fn report(file: &str, integrator: IntegratorKind, scene: &Scene, trace: &PixelTrace) -> Value {
-    let samples: Vec<Value> = trace
-        .samples
-        .iter()
-        .map(|sample| {
-            let place = sample.place;
-            json!({ "place": [place.across, place.down], "weight": place.weight, "radiance": sample.radiance })
-        })
-        .collect();
+    let sample = |sample: &PixelSample| {
+        let place = sample.place;
+        json!({ "place": [place.across, place.down], "weight": place.weight, "radiance": sample.radiance })
+    };
     json!({
         "scene": file,
         "integrator": integrator,
         "pixel": trace.pixel,
         "sample": trace.shown,
         "rays": nested(scene, &mut trace.events.iter()),
-        "samples": samples,
+        "samples": trace.samples.iter().map(sample).collect::<Vec<_>>(),
         "colour": trace.colour,
     })
 }

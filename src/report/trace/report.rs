@@ -34,16 +34,14 @@ impl TraceReport<'_> {
     fn write_events(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut depth = 0;
         for event in &self.trace.events {
-            if matches!(event, Event::End { .. }) {
-                depth -= 1;
-            }
+            // The result of a ray stands under what it found.
             for line in self.lines(event) {
-                // The result of a ray stands under what it found.
-                let inside = usize::from(matches!(event, Event::End { .. }));
-                writeln!(formatter, "{}{line}", "  ".repeat(depth + inside))?;
+                writeln!(formatter, "{}{line}", "  ".repeat(depth))?;
             }
-            if matches!(event, Event::Ray { .. }) {
-                depth += 1;
+            match event {
+                Event::Ray { .. } => depth += 1,
+                Event::End { .. } => depth -= 1,
+                _ => (),
             }
         }
         Ok(())
@@ -62,23 +60,19 @@ impl TraceReport<'_> {
             }
             Event::Nothing => vec!["hits nothing: no contribution".to_owned()],
             Event::Hit { ref surface, side, shading_normal, distance, cosine, transmittance } => {
-                let mut lines: Vec<String> =
-                    hit(scene, surface, side, shading_normal, distance, cosine).into_iter().collect();
-                lines.extend(through_glass(transmittance));
-                lines
+                let lines = hit(scene, surface, side, shading_normal, distance, cosine);
+                lines.into_iter().chain(through_glass(transmittance)).collect()
             }
             Event::Own { what, colour: shown } => vec![format!("{what}: {}", colour(shown))],
             Event::Light { number, ref outcome } => vec![light(scene, number, outcome)],
             Event::SampledLight { ray, density, weight, radiance } => {
-                let found = radiance.map_or_else(
-                    || {
-                        scene.shapes.intersect(&ray).map_or_else(
-                            || "not met".to_owned(),
-                            |hit| format!("blocked by {} after {}", shape_name(scene, hit.id.shape), length(hit.t)),
-                        )
-                    },
-                    |radiance| format!("free, radiance {}", colour(radiance)),
-                );
+                let found = match (radiance, scene.shapes.intersect(&ray)) {
+                    (Some(radiance), _) => format!("free, radiance {}", colour(radiance)),
+                    (None, Some(hit)) => {
+                        format!("blocked by {} after {}", shape_name(scene, hit.id.shape), length(hit.t))
+                    }
+                    (None, None) => "not met".to_owned(),
+                };
                 let towards = vector(ray.direction);
                 vec![format!("ray to a light towards {towards}, density {density:.6}, weight {weight}: {found}")]
             }
