@@ -229,6 +229,32 @@ fn a_changed_region_is_framed() {
 }
 
 #[test]
+fn a_region_that_is_flipped_or_turned_is_called_so() {
+    // A poster with a letter.
+    let mut expected = subject("lesson", [0, 0]);
+    for (u, v) in (0..48).flat_map(|u| (0..48).map(move |v| (u, v))) {
+        let letter = (6..14).contains(&u) || (4..12).contains(&v) || ((22..28).contains(&v) && u < 34);
+        expected.set(60 + u, 30 + v, if letter { Vec3::new(0.7, 0.1, 0.1) } else { Vec3::splat(0.8) });
+    }
+    let turned: [(&str, fn(usize, usize) -> (usize, usize)); 3] = [
+        ("flip left-right", |u, v| (47 - u, v)),
+        ("flip top-bottom", |u, v| (u, 47 - v)),
+        ("turn 180°", |u, v| (47 - u, 47 - v)),
+    ];
+    for (name, source) in turned {
+        let mut mine = expected.clone();
+        for (u, v) in (0..48).flat_map(|u| (0..48).map(move |v| (u, v))) {
+            let (x, y) = source(u, v);
+            mine.set(60 + u, 30 + v, expected.pixel(60 + x, 30 + y));
+        }
+        let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));
+        assert_eq!(names(&comparison), ["region-orientation"], "{name}");
+        assert_eq!(comparison.findings[0].figures["operation"], name);
+        assert_eq!(comparison.verdict(true), Verdict::Differs);
+    }
+}
+
+#[test]
 fn black_and_broken_pictures_are_called_so() {
     let expected = subject("lesson", [0, 0]);
     let black = Raster::filled(expected.width(), expected.height(), Vec3::ZERO);

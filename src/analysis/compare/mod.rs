@@ -43,6 +43,7 @@ mod structure;
 mod subject;
 mod tone;
 mod tone_search;
+mod turned_region;
 mod undoing;
 mod unrelated;
 mod view;

@@ -78,11 +78,7 @@ impl Region {
 
 /// The worst region: the cells around the worst one that differ nearly as much and hang together, as a box.
 pub(super) fn worst(map: &Plane) -> Region {
-    let (columns, rows) = (map.width().div_ceil(CELL), map.height().div_ceil(CELL));
-    let range = |cell: usize, length: usize| cell * CELL..((cell + 1) * CELL).min(length);
-    let cell_mean = |column: usize, row: usize| mean_within(map, range(column, map.width()), range(row, map.height()));
-    let cells: Vec<f64> = (0..columns * rows).map(|index| cell_mean(index % columns, index / columns)).collect();
-    let smooth = smoothed(&cells, columns, rows);
+    let (smooth, columns) = smoothed_cells(map);
     let mut peak = 0;
     for index in 1..smooth.len() {
         if smooth[index] > smooth[peak] {
@@ -96,6 +92,30 @@ pub(super) fn worst(map: &Plane) -> Region {
     };
     let region = boxed(BELONGS);
     if region.flip < PLAIN && smooth[peak] >= PLAIN { boxed(BELONGS_TIGHTLY) } else { region }
+}
+
+/// The box around all cells that differ nearly as much as the worst one. `corner` is where the map begins in the expected
+/// picture.
+pub(super) fn around_all(map: &Plane, corner: [usize; 2]) -> Region {
+    let (cells, columns) = smoothed_cells(map);
+    let peak = cells.iter().copied().fold(0.0, f64::max);
+    let belongs: Vec<usize> = (0..cells.len()).filter(|&index| cells[index] >= BELONGS * peak).collect();
+    let range = |place: &dyn Fn(usize) -> usize, length: usize| {
+        let places = || belongs.iter().map(|&index| place(index));
+        places().min().unwrap_or(0) * CELL..((places().max().unwrap_or(0) + 1) * CELL).min(length)
+    };
+    let region =
+        described(map, range(&|index| index % columns, map.width()), range(&|index| index / columns, map.height()));
+    Region { x: region.x + corner[0], y: region.y + corner[1], ..region }
+}
+
+/// The mean FLIP of every cell and its neighbours, and the number of cells in a row.
+fn smoothed_cells(map: &Plane) -> (Vec<f64>, usize) {
+    let (columns, rows) = (map.width().div_ceil(CELL), map.height().div_ceil(CELL));
+    let range = |cell: usize, length: usize| cell * CELL..((cell + 1) * CELL).min(length);
+    let cell_mean = |column: usize, row: usize| mean_within(map, range(column, map.width()), range(row, map.height()));
+    let cells: Vec<f64> = (0..columns * rows).map(|index| cell_mean(index % columns, index / columns)).collect();
+    (smoothed(&cells, columns, rows), columns)
 }
 
 fn described(map: &Plane, xs: std::ops::Range<usize>, ys: std::ops::Range<usize>) -> Region {

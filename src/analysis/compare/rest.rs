@@ -8,6 +8,7 @@ use super::noise;
 use super::region::{self, PLAIN, Region};
 use super::residue::Residue;
 use super::subject::Left;
+use super::turned_region;
 use super::undoing::{Aligned, Undoing};
 use super::view::View;
 use crate::math::Vec3;
@@ -41,7 +42,7 @@ fn all_over_or_in_place(left: &Left, worst: Region, interpolated: bool) -> Vec<F
     let noise = left.residue.is_noise();
     let plain = is_clearly_different(left.view, worst) && is_a_place(&worst, left.view);
     if (plain && worst.share >= SMALLEST_SHARE) || (!noise && worst.stands_out()) {
-        return vec![region::finding(worst)];
+        return vec![in_place(left, worst)];
     }
     let notable = if noise { left.residue.is_notable_noise() } else { left.view.metrics.flip > NOTABLE };
     let mut findings = Vec::new();
@@ -49,9 +50,14 @@ fn all_over_or_in_place(left: &Left, worst: Region, interpolated: bool) -> Vec<F
         findings.extend(ALL_OVER.iter().find_map(|found| found(left)));
     }
     if plain {
-        findings.push(region::finding(worst));
+        findings.push(in_place(left, worst));
     }
     findings
+}
+
+/// What is said of the worst region.
+fn in_place(left: &Left, worst: Region) -> Finding {
+    turned_region::found(left).unwrap_or_else(|| region::finding(worst))
 }
 
 /// True if the region is less than half of the picture.

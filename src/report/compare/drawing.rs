@@ -2,15 +2,18 @@
 
 use tiny_skia::{Color, Pixmap};
 
-use super::super::drawing::{Anchor, Canvas, Drawing, blank, dark, displayed, ground, pixmap_of};
+use super::super::drawing::{Anchor, Canvas, Drawing, blank, dark, displayed, ground, pixmap_of, text_lines};
 use crate::colour::{ToneMap, magma_bytes};
 use crate::compare::{Comparison, Region, View};
 use crate::metrics::Plane;
 
 const MARGIN: usize = 16;
 const CAPTION: usize = 34;
-/// The legend of the heat map: bar and numbers.
+/// The bar of the heat map and its numbers.
 const LEGEND: usize = 52;
+/// Size of the text of findings, and the distance of its lines.
+const FINDING: f32 = 16.0;
+const LINE: usize = 22;
 /// Pictures narrower than this are enlarged by a whole factor,
 const NARROWEST: usize = 200;
 /// unless that makes them higher than this.
@@ -23,6 +26,7 @@ const HIGHEST: usize = 4000;
 ///   yours           expected    FLIP of every pixel
 ///   yours, undone   expected    FLIP of every pixel
 ///   legend
+///   what was found
 /// ```
 pub fn draw_comparison(comparison: &Comparison) -> Drawing {
     let framed = (comparison.worst.flip > 0.0).then_some(comparison.worst);
@@ -31,7 +35,22 @@ pub fn draw_comparison(comparison: &Comparison) -> Drawing {
         None => draw_row(before, "yours", framed),
         Some(after) => draw_row(before, "yours", None).above(&draw_row(after, "yours, undone", framed)),
     };
-    drawing.above(&draw_legend(drawing.width()))
+    drawing.above(&draw_legend(drawing.width())).above(&draw_text(comparison, drawing.width()))
+}
+
+/// What the colours mean, and the sentences on what was found, in lines.
+fn draw_text(comparison: &Comparison, width: usize) -> Drawing {
+    let meaning = "FLIP: 0 no visible difference, 1 the largest; framed: the worst region";
+    let sentences = comparison.findings.iter().map(|finding| finding.sentence.as_str());
+    let wrapped = |sentence: &str| text_lines(sentence, FINDING, (width - 2 * MARGIN) as f32);
+    let lines: Vec<String> = std::iter::once(meaning).chain(sentences).flat_map(wrapped).collect();
+    let mut pixmap = blank(width, lines.len() * LINE + MARGIN, ground());
+    let mut canvas = Canvas::new(pixmap.as_mut(), 1.0);
+    for (index, line) in lines.iter().enumerate() {
+        let place = (MARGIN as f32, (index * LINE) as f32 + FINDING);
+        canvas.plain_text(line, FINDING, place, Anchor::Start, dark());
+    }
+    Drawing(pixmap)
 }
 
 fn draw_row(view: &View, name: &str, framed: Option<Region>) -> Drawing {
@@ -85,10 +104,6 @@ fn draw_legend(width: usize) -> Drawing {
         };
         let label = if tenth == 10 { "1".to_owned() } else { format!("0.{tenth}") };
         canvas.plain_text(&label, 16.0, (x, 40.0), anchor, dark());
-    }
-    let note = "FLIP: 0 no visible difference, 1 the largest; framed: the worst region";
-    if left > 2 * MARGIN {
-        canvas.fitted_text(note, 16.0, (MARGIN as f32, 24.0), (left - 2 * MARGIN) as f32);
     }
     Drawing(pixmap)
 }

@@ -13,8 +13,8 @@ pub use compass::draw_compass_face;
 pub use contact_sheet::{CaptionedShot, draw_contact_sheet};
 pub use cross_drawing::{CrossInput, draw_cross};
 pub use finished::Drawing;
-pub(super) use text_drawing::text_width;
 pub use text_drawing::{Anchor, text_path};
+pub(super) use text_drawing::{text_lines, text_width};
 
 #[cfg(test)]
 mod tests;
