@@ -5,6 +5,7 @@ mod check;
 mod compare;
 mod converge;
 mod cross;
+mod engine_option;
 mod fix;
 mod grade;
 mod interrupt;
