@@ -4,7 +4,7 @@ use clap::Command;
 
 /// The commands, by what people want.
 const GROUPS: [(&str, &[&str]); 5] = [
-    ("Check a skybox", &["check", "fix", "cross", "shots", "probe"]),
+    ("Check a skybox", &["check", "fix", "view", "cross", "shots", "probe"]),
     ("Grade and compare", &["grade", "compare"]),
     ("Render", &["render", "bake", "trace", "converge", "stress"]),
     ("Learn", &["lessons"]),
@@ -13,7 +13,7 @@ const GROUPS: [(&str, &[&str]); 5] = [
 
 /// What one types, in the order of the groups.
 #[rustfmt::skip]
-const EXAMPLES: [(&str, &[&str]); 15] = [
+const EXAMPLES: [(&str, &[&str]); 16] = [
     ("check", &[
         "skycube check Meadow.zip",
         "skycube check textures/sky --engine unity",
@@ -23,6 +23,10 @@ const EXAMPLES: [(&str, &[&str]); 15] = [
     ("fix", &[
         "skycube fix Meadow.zip -o repaired",
         "skycube fix textures/sky --lookup exercise --code cpp",
+    ]),
+    ("view", &[
+        "skycube view Meadow.zip",
+        "skycube view textures/sky --engine babylon -o sky.html",
     ]),
     ("cross", &[
         "skycube cross Meadow.zip -o cross.png",

@@ -26,8 +26,12 @@ pub fn lesson_page(lesson: &Lesson, language: Language) -> String {
     let (number, name, readme) = (lesson.number, lesson.name(), language.readme());
     let [goal, needs] = language.choose(["goal", "needs"], ["cíl", "potřebuje"]);
     let hint = language.choose(
-        format!("`skycube lessons start {number}` copies the lesson into the folder {name}. There, read {readme} and run"),
-        format!("`skycube lessons start {number}` zkopíruje lekci do složky {name}. Tam si přečtěte {readme} a spusťte"),
+        format!(
+            "`skycube lessons start {number}` copies the lesson into the folder {name}. There, read {readme} and run"
+        ),
+        format!(
+            "`skycube lessons start {number}` zkopíruje lekci do složky {name}. Tam si přečtěte {readme} a spusťte"
+        ),
     );
     let lines: String = lesson.commands.iter().map(|command| format!("    {command}\n")).collect();
     format!(

@@ -10,7 +10,7 @@
 //!             +-------+
 //! ```
 
-use crate::envmap::{Face, World};
+use crate::envmap::{Face, SignedAxis, World};
 use crate::render::AxisShot;
 use crate::validate::Edge;
 
@@ -91,7 +91,7 @@ impl CrossLayout {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::envmap::{Handedness, SignedAxis};
+    use crate::envmap::Handedness;
 
     fn joined(layout: &CrossLayout) -> String {
         let joined = Edge::ALL.into_iter().filter(|edge| layout.joins(*edge));
