@@ -10,7 +10,7 @@ use std::process::{Command, Output};
 
 use skycube::colour::encode_srgb;
 use skycube::compare::Comparison;
-use skycube::lessons::Lesson;
+use skycube::lessons::{Lesson, Source};
 use skycube::math::Vec3;
 use skycube::picture::{self, Picture, Raster, Texels};
 use skycube::report::draw_comparison;
@@ -64,7 +64,7 @@ fn read(file: &Path) -> String {
 }
 
 fn lesson(folder: &Path) -> Lesson {
-    Lesson::read(folder.to_path_buf()).unwrap_or_else(|error| panic!("{error}"))
+    Lesson::read(Source::Folder(folder.to_path_buf())).unwrap_or_else(|error| panic!("{error}"))
 }
 
 /// Both texts, each with the headings it must have.

@@ -2,8 +2,10 @@
 
 mod common;
 
+use std::process::Command;
+
 use common::outcome as skycube;
-use skycube::lessons::{default_folder, read_all};
+use skycube::lessons::read_all;
 
 const LESSON: &str = r#"
 number = 3
@@ -94,18 +96,44 @@ fn what_is_wrong_with_a_lesson_is_named() {
     assert!(error.contains("there are no lessons in this folder"), "{error}");
 }
 
-/// The lessons of this repository, if they hold their `lesson.toml`: every file they name is there.
+/// A copy of the program in an empty folder, where no repository can be found.
 #[test]
-fn the_lessons_of_the_course_are_whole() {
-    let folder = default_folder();
-    let there = std::fs::read_dir(&folder).unwrap().flatten().any(|entry| entry.path().join("lesson.toml").exists());
-    if !there {
-        println!("skipped: no lesson.toml in {}", folder.display());
-        return;
-    }
-    for lesson in read_all(&folder).unwrap() {
+fn the_lessons_of_the_course_travel_with_the_program() {
+    let lessons = read_all(None).unwrap();
+    assert_eq!(lessons.len(), 11);
+    let folder = tempfile::tempdir().unwrap();
+    for lesson in lessons {
+        let (code, text, error) = skycube(folder.path(), &["lessons", "start", &lesson.number.to_string()]);
+        assert_eq!(code, Some(0), "{error}");
+        assert_eq!(text.matches("wrote ").count(), lesson.files.len());
         for file in &lesson.files {
-            assert!(lesson.folder.join(file).is_file(), "{}: {}", lesson.name(), file.display());
+            let copy = folder.path().join(lesson.name()).join(file);
+            let original = common::project("lessons").join(lesson.name()).join(file);
+            assert!(std::fs::read(copy).unwrap() == std::fs::read(&original).unwrap(), "{}", original.display());
         }
     }
+    // Nothing in the program names the folder of the sources, so it is not read from there.
+    let program = std::fs::read(env!("CARGO_BIN_EXE_skycube")).unwrap();
+    let sources = common::project("lessons/01-camera-rays/README.md").display().to_string();
+    assert!(!program.windows(sources.len()).any(|bytes| bytes == sources.as_bytes()), "{sources}");
+}
+
+#[test]
+fn lessons_speak_the_language_of_the_system() {
+    let list = |variables: &[(&str, &str)], more: &[&str]| {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_skycube"));
+        for variable in ["LC_ALL", "LC_MESSAGES", "LANG"] {
+            program.env_remove(variable);
+        }
+        let output = program.args(["lessons"]).args(more).envs(variables.iter().copied()).output().unwrap();
+        common::text(&output.stdout)
+    };
+    let is_czech = |text: String| text.contains("Mapa prostředí");
+    assert!(is_czech(list(&[("LANG", "cs_CZ.UTF-8")], &[])));
+    assert!(is_czech(list(&[("LC_ALL", "cs"), ("LANG", "en_GB.UTF-8")], &[])));
+    assert!(is_czech(list(&[("LC_ALL", ""), ("LANG", "cs_CZ")], &[])));
+    assert!(!is_czech(list(&[("LC_MESSAGES", "C"), ("LANG", "cs_CZ.UTF-8")], &[])));
+    assert!(!is_czech(list(&[("LANG", "csb_PL.UTF-8")], &[])), "Kashubian");
+    assert!(!is_czech(list(&[("LANG", "cs_CZ.UTF-8")], &["--language", "en"])));
+    assert!(!is_czech(list(&[], &[])));
 }

@@ -1,6 +1,6 @@
 //! `skycube bake`: the surroundings of a point as the six images of a cube map.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
@@ -13,19 +13,19 @@ use super::options::{
 };
 use super::own_output::refuse_rivals;
 use super::progress_bar::RenderBar;
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, leave_stdout_to, print};
 use crate::envmap::{Face, Lookup};
 use crate::error::Result;
 use crate::math::DVec3;
-use crate::picture::{self, OutputFormat, Raster, make_folder};
+use crate::picture::{self, OutputFormat, Raster, is_standard_stream, make_folder};
 use crate::render::bake_face;
 use crate::scene::{Plan, Scene};
 
 #[derive(Debug, Args)]
 pub struct BakeArguments {
-    /// The scene, a TOML file
+    /// The scene, a TOML file; - for standard input
     scene: PathBuf,
-    /// The folder to write posx, negx, posy, negy, posz, negz to; made if it is missing
+    /// The folder to write posx, negx, posy, negy, posz, negz to; made if it is missing; - for a zip on standard output
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
     /// The lookup that will read the images: a preset or a TOML file
@@ -57,13 +57,9 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let options = arguments.picture.write_options(scene.output);
     let targets = Face::ALL.map(|image| arguments.output.join(format!("{}.{}", image.name(), arguments.format)));
     refuse_shared_images(&lookup)?;
-    picture::check_folder_target(&arguments.output)?;
-    refuse_folder_of(&arguments.output, &scene.sources)?;
     let format = OutputFormat::of_path(&targets[0])?;
-    for target in &targets {
-        refuse_to_overwrite_sources(target, &scene.sources)?;
-    }
-    refuse_rivals(&targets)?;
+    refuse(&arguments.output, &targets, &scene)?;
+    leave_stdout_to(&arguments.output);
     let pool = arguments.overrides.thread_pool()?;
     let size = arguments.face_size as usize;
     check_pixel_count([6 * size, size])?;
@@ -77,14 +73,38 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     for (target, bytes) in targets.iter().zip(encoded) {
         files.push((target.as_path(), bytes?));
     }
-    make_folder(&arguments.output)?;
-    picture::write_together(files.iter().map(|(target, bytes)| (*target, bytes.as_slice())))?;
+    write(&arguments.output, &files)?;
     targets.iter().for_each(|target| print(format_args!("wrote {}\n", target.display())));
     print(format_args!(
         "six images of {size} x {size} texels for the lookup {}, seen from ({}, {}, {}): {seconds:.2} s, {rays} rays\n",
         arguments.lookup, position.x, position.y, position.z
     ));
     Ok(Outcome::Clean)
+}
+
+/// Everything that can be refused is refused before the work.
+fn refuse(output: &Path, targets: &[PathBuf], scene: &Scene) -> Result<()> {
+    if is_standard_stream(output) {
+        return picture::check_target(output);
+    }
+    picture::check_folder_target(output)?;
+    refuse_folder_of(output, &scene.sources)?;
+    for target in targets {
+        refuse_to_overwrite_sources(target, &scene.sources)?;
+    }
+    refuse_rivals(targets)
+}
+
+/// Writes all files or none; to standard output as a zip.
+fn write(output: &Path, files: &[(&Path, Vec<u8>)]) -> Result<()> {
+    if is_standard_stream(output) {
+        let name = |target: &Path| target.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let named: Vec<_> = files.iter().map(|(target, bytes)| (name(target), bytes)).collect();
+        let archive = picture::archive_of(named.iter().map(|(name, bytes)| (name.as_str(), bytes.as_slice())))?;
+        return picture::write_atomically(output, &archive);
+    }
+    make_folder(output)?;
+    picture::write_together(files.iter().map(|(target, bytes)| (*target, bytes.as_slice())))
 }
 
 /// The six images, in the order of their names' faces, and the rays they took.

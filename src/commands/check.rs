@@ -4,7 +4,8 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::map_options::check_skybox;
+use super::engine_option::EngineOption;
+use super::map_options::{DEFAULT_LOOKUP, check_skybox};
 use super::options::read_lookup;
 use super::terminal::{Outcome, print, remark};
 use crate::envmap::SignedAxis;
@@ -16,9 +17,11 @@ use crate::validate::{Check, CheckOptions, Names, Verdict};
 /// The options of all commands that check a map.
 #[derive(Debug, Args)]
 pub struct ValidationOptions {
-    /// The lookup that reads the map: a preset or a TOML file with a table
-    #[arg(long, value_name = "NAME|FILE.toml", default_value = "opengl")]
-    pub lookup: String,
+    /// The lookup that reads the map: a preset or a TOML file with a table [default: opengl]
+    #[arg(long, value_name = "NAME|FILE.toml")]
+    pub lookup: Option<String>,
+    #[command(flatten)]
+    pub engine: EngineOption,
     /// The axis that points up in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     pub world_up: Option<SignedAxis>,
@@ -37,19 +40,24 @@ impl ValidationOptions {
             (_, true) => Names::AnyOrder,
             _ => Names::Auto,
         };
-        CheckOptions { world_up: self.world_up, names, lookup_name: self.lookup.clone() }
+        CheckOptions {
+            world_up: self.world_up.or(self.engine.world_up()),
+            names,
+            lookup_name: self.engine.name(self.lookup.as_deref(), DEFAULT_LOOKUP),
+        }
     }
 
     /// Opens and checks a map.
     pub fn check(&self, skybox: &Skybox) -> Result<Check> {
-        Ok(check_skybox(skybox, read_lookup(&self.lookup)?, &self.check_options())?.1)
+        let lookup = self.engine.lookup(self.lookup.as_deref(), DEFAULT_LOOKUP, skybox)?;
+        Ok(check_skybox(skybox, lookup, &self.check_options())?.1)
     }
 }
 
 #[derive(Debug, Args)]
 pub struct CheckArguments {
     /// Folders, zips, crosses, strips or sheets; a folder of maps; one of several sets in a folder, as FOLDER/day_; or six square
-    /// pictures +X -X +Y -Y +Z -Z
+    /// pictures +X -X +Y -Y +Z -Z; - for a zip or picture on standard input
     #[arg(required = true, value_name = "MAP")]
     maps: Vec<PathBuf>,
     #[command(flatten)]
@@ -64,7 +72,7 @@ pub struct CheckArguments {
 
 /// Checks one map in full, or several with a line each.
 pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
-    read_lookup(&arguments.validation.lookup)?;
+    arguments.validation.lookup.as_deref().map(read_lookup).transpose()?;
     if let Some(skybox) = Skybox::of_six_squares(&arguments.maps) {
         let name = arguments.maps.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" ");
         return check_one(name, Ok(skybox), arguments);

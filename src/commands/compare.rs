@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::options::{check_drawing_name, refuse_to_overwrite_sources};
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, leave_stdout_to, print};
 use crate::compare::{Comparison, Verdict};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, read};
@@ -16,13 +16,13 @@ use crate::report::{CompareReport, Metric, draw_comparison};
                         (flipped, turned, red and blue exchanged, not finite, clearly different in one place or \
                         altogether), 2 could not run.")]
 pub struct CompareArguments {
-    /// Your picture
+    /// Your picture; - for standard input
     #[arg(value_name = "MINE")]
     mine: PathBuf,
     /// The expected picture
     #[arg(value_name = "EXPECTED")]
     expected: PathBuf,
-    /// Draw yours, the expected one and a heat map of the difference, as .png
+    /// Draw yours, the expected one and a heat map of the difference, as .png; - for standard output
     #[arg(short, long, value_name = "PICTURE")]
     output: Option<PathBuf>,
     /// The measure that decides
@@ -43,6 +43,7 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
         return Err(Error::new(format!("the threshold is {threshold}")).expected("a number"));
     }
     check_output(arguments)?;
+    arguments.output.iter().for_each(|output| leave_stdout_to(output));
     let (mine, expected) = (read(&arguments.mine)?, read(&arguments.expected)?);
     let comparison = Comparison::of(&mine, &expected);
     let report = CompareReport::new(&comparison, arguments.metric, threshold);

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::map_options::{OpenMap, ViewOptions};
 use super::options::{check_drawing_name, refuse_source_folder, refuse_to_overwrite_sources};
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, leave_stdout_to, print};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
@@ -18,7 +18,7 @@ use crate::validate::Seam;
 pub struct CrossArguments {
     #[command(flatten)]
     view: ViewOptions,
-    /// The picture to write, a .png
+    /// The picture to write, a .png; - for standard output
     #[arg(short, long, value_name = "PICTURE")]
     output: PathBuf,
     /// Side of a face in pixels
@@ -40,6 +40,7 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     refuse_to_overwrite_sources(&arguments.output, &map.sources)?;
     refuse_source_folder(&map.skybox, folder_of(&arguments.output))?;
     check_target(&arguments.output)?;
+    leave_stdout_to(&arguments.output);
     let (cube_map, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
     let heading = format!("{} through {}", map.name, map.lookup_name);
     let mut drawing = draw(arguments, &map, &cube_map, &check.seams, world_up, &heading);

@@ -17,7 +17,7 @@ use crate::validate::{Check, FaceFix, Verdict};
 
 #[derive(Debug, Args)]
 pub struct FixArguments {
-    /// A folder, zip, cross or strip
+    /// A folder, zip, cross or strip; - for a zip or picture on standard input
     map: PathBuf,
     /// The folder to write the six corrected files to; made if it is missing
     #[arg(short, long, value_name = "DIR")]
@@ -141,8 +141,13 @@ mod tests {
         let (bytes, _) = ImageOperation::TurnClockwise.applied(&original).encode_lossless().unwrap();
         std::fs::write(&broken, bytes).unwrap();
         let output = folder.path().join("fixed");
-        let validation =
-            ValidationOptions { lookup: "opengl".to_owned(), world_up: None, trust_names: false, any_order: false };
+        let validation = ValidationOptions {
+            lookup: None,
+            engine: Default::default(),
+            world_up: None,
+            trust_names: false,
+            any_order: false,
+        };
         let arguments =
             FixArguments { map: folder.path().to_owned(), output: Some(output.clone()), code: None, validation };
         assert_eq!(run(&arguments).unwrap(), Outcome::Clean);

@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::options::read_lookup;
+use super::engine_option::EngineOption;
 use super::terminal::{Outcome, print};
 use crate::envmap::source::Skybox;
-use crate::envmap::{Face, Preset, SignedAxis};
+use crate::envmap::{Face, Preset, SignedAxis, World};
 use crate::error::{Error, Result};
 use crate::grade::{GradeVerdict, Grader, ShotFrame};
 use crate::picture::{Picture, read};
@@ -29,6 +29,8 @@ pub struct GradeArguments {
     /// The lookup that your code should have: a preset or a TOML file [default: course]
     #[arg(long)]
     lookup: Option<String>,
+    #[command(flatten)]
+    engine: EngineOption,
     /// The axis that points up in your world [default: +y for opengl and humus-y-up, else +z]
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     world_up: Option<SignedAxis>,
@@ -42,22 +44,26 @@ pub struct GradeArguments {
 
 /// Grades and prints.
 pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
-    let lookup_name = arguments.lookup.as_deref().unwrap_or("course");
-    let lookup = read_lookup(lookup_name)?;
-    let world_up = arguments.world_up.unwrap_or_else(|| Preset::usual_up_of(lookup_name));
+    let (engine, given) = (arguments.engine, arguments.lookup.as_deref());
+    let lookup_name = engine.name(given, "course");
     let skybox = Skybox::open_lenient(&arguments.map)?;
+    let lookup = engine.lookup(given, "course", &skybox)?;
+    let world_up = arguments.world_up.or(engine.world_up()).unwrap_or_else(|| Preset::usual_up_of(&lookup_name));
     let shots = read_shots(&arguments.shots)?;
     let map = load(&skybox, lookup)?;
-    let frames =
-        AxisShot::all(world_up).map(|shot| ShotFrame { face: shot.direction, right: shot.right(), up: shot.up });
+    let frames = AxisShot::all(World { up: world_up, handedness: lookup.handedness() }).map(|shot| ShotFrame {
+        face: shot.direction,
+        right: shot.right(),
+        up: shot.up,
+    });
     let grade = Grader::new(&map, frames)?.grade(&shots);
     let name =
         arguments.map.file_name().map_or_else(|| arguments.map.display().to_string(), |n| n.display().to_string());
     let report = GradeReport {
         grade: &grade,
         map: &name,
-        lookup: lookup_name,
-        lookup_given: arguments.lookup.is_some(),
+        lookup: &lookup_name,
+        lookup_given: given.is_some() || engine.world_up().is_some(),
         table: lookup,
         world_up,
     };

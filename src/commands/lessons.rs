@@ -6,7 +6,7 @@ use clap::{Args, Subcommand};
 
 use super::terminal::{Outcome, print};
 use crate::error::Result;
-use crate::lessons::{Language, default_folder, find, read_all, start};
+use crate::lessons::{Language, find, read_all, start};
 use crate::report::{lesson_list, lesson_page, lesson_started};
 
 #[derive(Debug, Args)]
@@ -22,10 +22,10 @@ pub struct LessonsArguments {
 
 #[derive(Debug, Args)]
 struct LessonOptions {
-    /// The language of the lessons
-    #[arg(long, value_enum, default_value = "en", global = true)]
-    language: Language,
-    /// The folder of the lessons [default: `lessons` of the clone]
+    /// The language of the lessons [default: that of the system: LC_ALL, LC_MESSAGES, LANG]
+    #[arg(long, value_enum, global = true)]
+    language: Option<Language>,
+    /// A folder of lessons of your own, in place of those of the course
     #[arg(long, value_name = "FOLDER", global = true)]
     folder: Option<PathBuf>,
 }
@@ -49,16 +49,17 @@ struct StartArguments {
 /// Lists, shows or starts.
 pub fn run(arguments: &LessonsArguments) -> Result<Outcome> {
     let options = &arguments.options;
-    let lessons = read_all(&options.folder.clone().unwrap_or_else(default_folder))?;
+    let language = options.language.unwrap_or_else(Language::of_system);
+    let lessons = read_all(options.folder.as_deref())?;
     let text = match (&arguments.command, arguments.number) {
         (Some(LessonCommand::Start(arguments)), _) => {
             let lesson = find(&lessons, arguments.number)?;
             let folder = arguments.output.clone().unwrap_or_else(|| PathBuf::from(lesson.name()));
             let started = start(lesson, &folder)?;
-            lesson_started(lesson, &started, &folder, options.language)
+            lesson_started(lesson, &started, &folder, language)
         }
-        (None, Some(number)) => lesson_page(find(&lessons, number)?, options.language),
-        (None, None) => lesson_list(&lessons, options.language),
+        (None, Some(number)) => lesson_page(find(&lessons, number)?, language),
+        (None, None) => lesson_list(&lessons, language),
     };
     print(text);
     Ok(Outcome::Clean)

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::options::read_lookup;
+use super::engine_option::EngineOption;
 use crate::envmap::source::{Naming, Skybox};
 use crate::envmap::{CubeFilter, CubeMap, Face, Lookup, Preset, SignedAxis};
 use crate::error::Result;
@@ -13,12 +13,17 @@ use crate::validate::{Check, CheckOptions, ImageFacts, Names, Note, check, load}
 /// A map and the lookup it is seen through.
 #[derive(Debug, Args)]
 pub struct MapOptions {
-    /// The map: a folder, a zip, a cross or strip picture, an OpenEXR cube
+    /// The map: a folder, a zip, a cross or strip picture, an OpenEXR cube; - for a zip or picture on standard input
     map: PathBuf,
-    /// The lookup: a preset or a TOML file
-    #[arg(long, default_value = "opengl")]
-    lookup: String,
+    /// The lookup: a preset or a TOML file [default: opengl]
+    #[arg(long)]
+    lookup: Option<String>,
+    #[command(flatten)]
+    pub engine: EngineOption,
 }
+
+/// The lookup where none is given.
+pub const DEFAULT_LOOKUP: &str = "opengl";
 
 /// How a map is seen.
 #[derive(Debug, Args)]
@@ -42,6 +47,8 @@ pub struct OpenMap {
     pub name: String,
     /// The name of the lookup, as given by the user.
     pub lookup_name: String,
+    /// The axis that points up in the world of the engine, if the user named one.
+    pub engine_up: Option<SignedAxis>,
     /// Files that must not be overwritten.
     pub sources: Vec<PathBuf>,
 }
@@ -49,13 +56,15 @@ pub struct OpenMap {
 impl MapOptions {
     /// Opens the map, with faces of any size as in `check`, and reads the lookup.
     pub fn open(&self) -> Result<OpenMap> {
-        let lookup = read_lookup(&self.lookup)?;
+        let given = self.lookup.as_deref();
         let skybox = Skybox::open_lenient(&self.map)?;
+        let lookup = self.engine.lookup(given, DEFAULT_LOOKUP, &skybox)?;
         let mut sources = skybox.files();
-        sources.push(PathBuf::from(&self.lookup));
+        sources.extend(given.map(PathBuf::from));
         let name =
             self.map.file_name().map_or_else(|| self.map.display().to_string(), |name| name.display().to_string());
-        Ok(OpenMap { skybox, lookup, name, lookup_name: self.lookup.clone(), sources })
+        let engine_up = self.engine.world_up();
+        Ok(OpenMap { skybox, lookup, name, engine_up, lookup_name: self.engine.name(given, DEFAULT_LOOKUP), sources })
     }
 }
 
@@ -68,6 +77,7 @@ impl OpenMap {
     /// The map under its lookup, all images decoded on all cores, and what the validator says of it. `world_up` is the
     /// axis that the user named.
     pub fn checked(&self, filter: CubeFilter, world_up: Option<SignedAxis>) -> Result<(CubeMap, Check)> {
+        let world_up = world_up.or(self.engine_up);
         let options = CheckOptions { world_up, lookup_name: self.lookup_name.clone(), ..CheckOptions::default() };
         let (mut map, check) = check_skybox(&self.skybox, self.lookup, &options)?;
         map.set_filter(filter);
@@ -98,12 +108,15 @@ pub fn check_skybox(skybox: &Skybox, lookup: Lookup, options: &CheckOptions) -> 
 }
 
 impl ViewOptions {
-    /// The world's up axis, and a sentence if it follows from the lookup's name.
+    /// The world's up axis, and a sentence if it follows from the engine or from the lookup's name.
     pub fn world_up(&self) -> (SignedAxis, Option<String>) {
         if let Some(world_up) = self.world_up {
-            return (world_up, None);
+            return (world_up, self.map.engine.description());
         }
-        let name = &self.map.lookup;
+        if let Some(world_up) = self.map.engine.world_up() {
+            return (world_up, self.map.engine.description());
+        }
+        let name = self.map.lookup.as_deref().unwrap_or(DEFAULT_LOOKUP);
         let world_up = Preset::usual_up_of(name);
         (world_up, Some(format!("assumed a world with {world_up} up, for the lookup {name}; --world-up changes this")))
     }

@@ -5,8 +5,10 @@ mod check;
 mod compare;
 mod converge;
 mod cross;
+mod engine_option;
 mod fix;
 mod grade;
+mod help;
 mod interrupt;
 mod lessons;
 mod map_options;
@@ -15,6 +17,7 @@ mod own_output;
 mod probe;
 mod progress_bar;
 mod render;
+mod shell;
 mod shots;
 #[cfg(feature = "stress")]
 mod stress;
@@ -25,7 +28,7 @@ mod view;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 
 use skycube_tracer::error::printable;
 use skycube_tracer::memory::set_memory_budget;
@@ -51,13 +54,13 @@ struct CommandLine {
 enum Command {
     /// Render a scene to a picture
     Render(render::RenderArguments),
-    /// Render the surroundings of a point to the six faces of a cube map
+    /// Render the surroundings of a point as the six faces of a map
     Bake(bake::BakeArguments),
     /// Check whether the six pictures of a skybox fit together
     Check(check::CheckArguments),
-    /// Compare a picture with the expected one, and name what it does differently
+    /// Compare a picture with the expected one, and name the mistake
     Compare(compare::CompareArguments),
-    /// Measure error against samples and run time; compare integrators, strategies, samplers, ...
+    /// Measure the error against samples and time, for several settings
     Converge(converge::ConvergeArguments),
     /// Draw the map unfolded under the lookup, with its seams
     Cross(cross::CrossArguments),
@@ -72,17 +75,22 @@ enum Command {
     #[cfg(feature = "stress")]
     /// Measure the accuracy of the numerical kernels on extreme inputs
     Stress(stress::StressArguments),
-    /// Follow one pixel of a scene: every ray, hit, shadow test and lookup, and how its colour adds up
+    /// Follow one pixel of a scene: every ray, hit and lookup
     Trace(trace::TraceArguments),
     /// Write a page to look around in the map, before and after the repair
     View(view::ViewArguments),
     /// Write six corrected files, or print the corrected lookup
     Fix(fix::FixArguments),
+    /// Print the completions of a shell: what the Tab key knows
+    Completions(shell::CompletionsArguments),
+    /// Write a manual page for each command
+    Man(shell::ManArguments),
 }
 
 /// Runs the command line of this process.
 pub fn run() -> ExitCode {
-    let arguments = CommandLine::parse();
+    let matches = help::with_examples(CommandLine::command()).get_matches();
+    let arguments = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     interrupt::handle();
     if let Some(bytes) = arguments.memory {
         set_memory_budget(bytes);
@@ -117,6 +125,8 @@ fn command(command: Command) -> Result<Outcome> {
         Command::Trace(arguments) => trace::run(&arguments),
         Command::View(arguments) => view::run(&arguments),
         Command::Fix(arguments) => fix::run(&arguments),
+        Command::Completions(arguments) => shell::completions(&arguments, help::with_examples(CommandLine::command())),
+        Command::Man(arguments) => shell::man(&arguments, help::with_examples(CommandLine::command())),
     }
 }
 

@@ -11,7 +11,7 @@ use crate::colour::ToneMap;
 use crate::envmap::source::{Layout, Skybox};
 use crate::envmap::{Lookup, Preset};
 use crate::error::{Error, Result};
-use crate::picture::{PngDepth, WriteOptions};
+use crate::picture::{PngDepth, WriteOptions, is_standard_stream};
 use crate::sampling::{PixelFilter, SamplerKind};
 use crate::scene::{Caustics, IntegratorKind, OutputSettings, Scene, Strategy};
 use skycube_tracer::memory::check_memory;
@@ -233,9 +233,9 @@ pub fn refuse_source_folder(skybox: &Skybox, folder: &Path) -> Result<()> {
     refuse_folder_of(folder, &files)
 }
 
-/// An error unless a drawing is written as PNG.
+/// An error unless a drawing is written as PNG; that is what standard output gets.
 pub fn check_drawing_name(path: &Path) -> Result<()> {
-    if path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
+    if is_standard_stream(path) || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("png")) {
         return Ok(());
     }
     Err(Error::new("a drawing is written as PNG").in_file(path).expected("a name with .png"))

@@ -10,21 +10,24 @@ use super::options::{
     PictureOptions, PictureSize, SceneOverrides, check_pixel_count, parse_duration, refuse_to_overwrite_sources,
 };
 use super::progress_bar::RenderBar;
-use super::terminal::{Outcome, print, remark};
+use super::terminal::{Outcome, leave_stdout_to, print, remark};
 use crate::error::{Error, Result};
 use crate::limits::outside_limits;
-use crate::picture::{self, Extras, OutputFormat, check_target};
+use crate::picture::{self, Extras, OutputFormat, check_target, is_standard_stream, write_atomically};
 use crate::render::{Budget, Layers, Renderer, Rendering, render_progressively};
 use crate::report::RenderReport;
 use crate::scene::{Plan, Scene};
 
 #[derive(Debug, Args)]
 pub struct RenderArguments {
-    /// The scene, a TOML file
+    /// The scene, a TOML file; - for standard input
     scene: PathBuf,
-    /// The picture to write: .png, .jpg, .hdr or .exr [default: the scene's name with .png, in this folder]
+    /// The picture to write: .png, .jpg, .hdr or .exr; - for standard output [default: the scene's name with .png, in this folder]
     #[arg(short, long, value_name = "PICTURE")]
     output: Option<PathBuf>,
+    /// The file format for standard output [default: png]
+    #[arg(long, value_name = "FORMAT", value_parser = ["png", "jpg", "hdr", "exr"])]
+    format: Option<String>,
     /// Picture size in pixels, for instance 640x480
     #[arg(long, value_name = "WxH")]
     size: Option<PictureSize>,
@@ -53,22 +56,40 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     check_pixel_count(scene.camera.size())?;
     let plan = Plan::new(&scene);
     let output = arguments.output.clone().unwrap_or_else(|| default_output(&arguments.scene));
-    refuse(arguments, &scene, &output)?;
+    let format = format(arguments, &output)?;
+    refuse(arguments, format, &scene, &output)?;
+    leave_stdout_to(&output);
     outside_limits(&scene).iter().for_each(|figure| remark(format_args!("warning: {figure}\n")));
     scene.notes.iter().for_each(|note| remark(format_args!("note: {note}\n")));
     let loaded = started.elapsed();
     let pool = arguments.overrides.thread_pool()?;
     let rendering = pool.install(|| rendering(arguments, &scene, &plan))?;
     let rendered = started.elapsed();
-    pool.install(|| write(arguments, &scene, &rendering, &output))?;
+    pool.install(|| write(arguments, format, &scene, &rendering, &output))?;
     let report = RenderReport::new(&scene, &plan, &output, &rendering, [loaded, rendered, started.elapsed()]);
     print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
     Ok(if rendering.stopped { Outcome::Interrupted } else { Outcome::Clean })
 }
 
-/// Everything that can be refused is refused before the work.
-fn refuse(arguments: &RenderArguments, scene: &Scene, output: &Path) -> Result<()> {
+/// The format that the output's name tells, or the user for standard output.
+fn format(arguments: &RenderArguments, output: &Path) -> Result<OutputFormat> {
+    if is_standard_stream(output) {
+        let named = Path::new("-").with_extension(arguments.format.as_deref().unwrap_or("png"));
+        return OutputFormat::of_path(&named);
+    }
     let format = OutputFormat::of_path(output)?;
+    match &arguments.format {
+        Some(name) if OutputFormat::of_path(&Path::new("-").with_extension(name))? != format => {
+            Err(Error::new(format!("--format {name} contradicts the name of the picture"))
+                .in_file(output)
+                .help("leave --format: it is for standard output, which has no name"))
+        }
+        _ => Ok(format),
+    }
+}
+
+/// Everything that can be refused is refused before the work.
+fn refuse(arguments: &RenderArguments, format: OutputFormat, scene: &Scene, output: &Path) -> Result<()> {
     if arguments.layers && format != OutputFormat::Exr {
         return Err(Error::new("--layers needs a format with layers").in_file(output).expected("the extension .exr"));
     }
@@ -93,7 +114,13 @@ fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<
     rendering
 }
 
-fn write(arguments: &RenderArguments, scene: &Scene, rendering: &Rendering, output: &Path) -> Result<()> {
+fn write(
+    arguments: &RenderArguments,
+    format: OutputFormat,
+    scene: &Scene,
+    rendering: &Rendering,
+    output: &Path,
+) -> Result<()> {
     let options = arguments.picture.write_options(scene.output);
     let remark = format!("stopped after {} samples per pixel of {}", rendering.samples, scene.samples);
     let layers = rendering.layers.as_ref().map(Layers::named);
@@ -101,9 +128,13 @@ fn write(arguments: &RenderArguments, scene: &Scene, rendering: &Rendering, outp
         layers: layers.as_ref().map_or(&[], |layers| layers.as_slice()),
         remark: rendering.stopped.then_some(remark.as_str()),
     };
-    picture::write_with(&rendering.raster, output, &options, extras)
+    let encoded = picture::encode_with(&rendering.raster, format, &options, extras);
+    write_atomically(output, &encoded.map_err(|error| error.in_file(output))?)
 }
 
 fn default_output(scene: &Path) -> PathBuf {
+    if is_standard_stream(scene) {
+        return PathBuf::from("render.png");
+    }
     PathBuf::from(scene.with_extension("png").file_name().unwrap_or("render.png".as_ref()))
 }

@@ -11,7 +11,7 @@ use super::own_output::{refuse_pictures_of_others, refuse_rivals};
 use super::progress_bar::RenderBar;
 use super::terminal::{Outcome, print};
 use crate::colour::ToneMap;
-use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis};
+use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis, World};
 use crate::error::Result;
 use crate::picture::{self, OutputFormat, Raster, WriteOptions, make_folder, write_together};
 use crate::render::{AxisShot, render};
@@ -115,7 +115,7 @@ struct ShotSet {
 /// Renders the shots that are planned.
 fn take(arguments: &ShotsArguments, map: &OpenMap, plan: ShotPlan, world_up: SignedAxis) -> Result<ShotSet> {
     let ShotPlan { lookup, lookup_name, targets } = plan;
-    let shots = AxisShot::all(world_up);
+    let shots = AxisShot::all(World { up: world_up, handedness: lookup.handedness() });
     let samples = arguments.samples.unwrap_or_else(|| samples(map, arguments.size as usize));
     let rasters = render_shots(arguments, map, lookup, shots, samples)?;
     let report = ShotsReport {
@@ -155,7 +155,7 @@ fn render_shots(
     let mut rasters = Vec::new();
     for shot in shots {
         scene.camera = shot.camera(size);
-        rasters.push(render(&scene, &plan, &bar).inspect_err(|_| bar.finish())?.raster);
+        rasters.push(shot.as_seen(render(&scene, &plan, &bar).inspect_err(|_| bar.finish())?.raster));
     }
     bar.finish();
     Ok(rasters)

@@ -1,14 +1,15 @@
 //! Six files in a downloaded zip archive, read without unpacking it.
 
-use std::fs::File;
-use std::io::{BufReader, Read};
+use std::io::{Cursor, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use zip::ZipArchive;
 use zip::result::ZipError;
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use crate::error::{Error, Result};
+use crate::plain_file::{PlainFile, open_file};
 
 /// The largest face that is unpacked, in bytes: a guard against archives made to fill the memory.
 const LARGEST_ENTRY: u64 = 1 << 30;
@@ -113,9 +114,20 @@ impl ArchiveEntry {
 /// What to do about a damaged archive.
 const DOWNLOAD_AGAIN: &str = "the archive is damaged or incomplete; download it again";
 
-fn open(path: &Path) -> Result<ZipArchive<BufReader<File>>> {
-    let file = File::open(path).map_err(|error| Error::new(format!("cannot be read: {error}")).in_file(path))?;
-    ZipArchive::new(BufReader::new(file)).map_err(|error| refused(&error).in_file(path))
+fn open(path: &Path) -> Result<ZipArchive<Box<dyn PlainFile>>> {
+    let file = open_file(path).map_err(|error| error.in_file(path))?;
+    ZipArchive::new(file).map_err(|error| refused(&error).in_file(path))
+}
+
+/// The bytes of an archive that holds files as they are, for pictures are compressed already. They tell no time.
+pub fn archive_of<'a>(files: impl IntoIterator<Item = (&'a str, &'a [u8])>) -> Result<Vec<u8>> {
+    let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
+    let stored = SimpleFileOptions::default().compression_method(CompressionMethod::Stored);
+    for (name, bytes) in files {
+        archive.start_file(name, stored).map_err(|error| refused(&error))?;
+        archive.write_all(bytes).map_err(|error| Error::new(format!("cannot be packed: {error}")))?;
+    }
+    Ok(archive.finish().map_err(|error| refused(&error))?.into_inner())
 }
 
 /// What is wrong with an archive or one of its entries.

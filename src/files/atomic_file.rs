@@ -5,6 +5,7 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::error::{Error, Result};
+use crate::standard_stream::{check_standard_output, is_standard_stream, write_to_standard_output};
 
 /// Held while temporary files lie beside their targets.
 static WRITING: Mutex<()> = Mutex::new(());
@@ -22,7 +23,11 @@ fn lock() -> MutexGuard<'static, ()> {
 
 /// Writes a file in one step: the bytes go to a temporary file beside the target, which then takes its name. At
 /// every moment the target is the whole old file or the whole new one. The permissions are those of any new file (`umask`).
+/// `-` is standard output.
 pub fn write_atomically(path: &Path, bytes: &[u8]) -> Result<()> {
+    if is_standard_stream(path) {
+        return write_to_standard_output(bytes);
+    }
     write_together([(path, bytes)])
 }
 
@@ -44,6 +49,9 @@ pub fn write_together<'a>(files: impl IntoIterator<Item = (&'a Path, &'a [u8])>)
 /// An error if a file cannot be written at `path`: its folder is missing, or something else has that name. Worth asking
 /// before hours of rendering.
 pub fn check_target(path: &Path) -> Result<()> {
+    if is_standard_stream(path) {
+        return check_standard_output();
+    }
     let folder = folder_of(path);
     if !folder.is_dir() {
         let problem = format!("cannot write: the folder {} does not exist", folder.display());

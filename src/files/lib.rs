@@ -10,6 +10,7 @@ mod memory_budget;
 mod atomic_file;
 mod notes;
 mod plain_file;
+mod standard_stream;
 mod text_file;
 
 pub mod archive;
@@ -22,4 +23,5 @@ pub use atomic_file::{
     write_together,
 };
 pub use notes::{note, take_notes};
-pub use plain_file::{check_plain, read_plain_file};
+pub use plain_file::{PlainFile, check_plain, open_file, read_plain_file};
+pub use standard_stream::{is_standard_stream, standard_input};

@@ -1,22 +1,44 @@
 //! The bytes of plain files; pipes and devices are refused, since they may never end.
 
-use std::io::ErrorKind;
+use std::fs::File;
+use std::io::{BufReader, Cursor, ErrorKind, Read, Seek};
 use std::path::Path;
 
 use crate::error::{Error, Result};
+use crate::standard_stream::{is_standard_stream, standard_input};
 
-/// The bytes of a plain file. `expected` is what the user should name instead of a folder or a device.
+/// A file that is open for reading, or standard input.
+pub trait PlainFile: Read + Seek {}
+
+impl<T: Read + Seek> PlainFile for T {}
+
+/// Opens a file, or standard input for `-`.
+pub fn open_file(path: &Path) -> Result<Box<dyn PlainFile>> {
+    if is_standard_stream(path) {
+        return Ok(Box::new(Cursor::new(standard_input()?)));
+    }
+    let file = File::open(path).map_err(|error| Error::new(format!("cannot be read: {error}")).in_file(path))?;
+    Ok(Box::new(BufReader::new(file)))
+}
+
+/// The bytes of a plain file, or of standard input for `-`. `expected` is what the user should name instead of a folder or a device.
 pub fn read_plain_file(path: &Path, expected: &str) -> Result<Vec<u8>> {
     read(path, expected).map_err(|error| error.in_file(path))
 }
 
 fn read(path: &Path, expected: &str) -> Result<Vec<u8>> {
+    if is_standard_stream(path) {
+        return standard_input().map(<[u8]>::to_vec);
+    }
     check_plain(path, expected)?;
     std::fs::read(path).map_err(|error| unreadable(&error))
 }
 
-/// An error unless the path leads to a plain file.
+/// An error unless the path leads to a plain file, or is `-`.
 pub fn check_plain(path: &Path, expected: &str) -> Result<()> {
+    if is_standard_stream(path) {
+        return Ok(());
+    }
     let found = std::fs::metadata(path).map_err(|error| unreadable(&error))?;
     match found.file_type() {
         kind if kind.is_file() => Ok(()),

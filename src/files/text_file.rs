@@ -6,11 +6,16 @@ use std::path::{Path, PathBuf};
 use crate::atomic_file::folder_of;
 use crate::error::{Error, Result};
 use crate::plain_file::check_plain;
+use crate::standard_stream::{is_standard_stream, standard_input};
 
 const EXPECTED: &str = "a TOML file";
 
-/// The text of a TOML file.
+/// The text of a TOML file, or of standard input for `-`.
 pub fn read_text(file: &Path) -> Result<String> {
+    if is_standard_stream(file) {
+        let text = standard_input().and_then(|bytes| str::from_utf8(bytes).map_err(|_| not_text()));
+        return text.map(str::to_owned).map_err(|error| error.in_file(file));
+    }
     if file.exists() {
         check_plain(file, EXPECTED).map_err(|error| error.in_file(file))?;
     }
@@ -27,10 +32,14 @@ fn unreadable(file: &Path, error: &std::io::Error) -> Error {
                 None => missing,
             }
         }
-        ErrorKind::InvalidData => Error::new("this is not a text file; it may be a picture").expected(EXPECTED),
+        ErrorKind::InvalidData => not_text(),
         _ => Error::new(format!("cannot read the file: {error}")),
     };
     error.in_file(file)
+}
+
+fn not_text() -> Error {
+    Error::new("this is not a text file; it may be a picture").expected(EXPECTED)
 }
 
 /// The TOML file beside a missing one whose name without extension differs by at most two letters, the nearest.

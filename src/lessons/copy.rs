@@ -1,6 +1,6 @@
 //! Copies a lesson into a student's folder.
 
-use std::io::ErrorKind;
+use std::borrow::Cow;
 use std::path::{Path, PathBuf};
 
 use super::Lesson;
@@ -37,23 +37,19 @@ pub struct Started {
 
 /// A file of a lesson and where it goes.
 struct Copy {
-    content: Vec<u8>,
+    content: Cow<'static, [u8]>,
     target: PathBuf,
 }
 
 impl Copy {
     fn read(lesson: &Lesson, file: &Path, folder: &Path) -> Result<Self> {
-        let source = lesson.folder.join(file);
-        let content = std::fs::read(&source).map_err(|error| match error.kind() {
-            ErrorKind::NotFound => Error::new("the lesson names this file, but it does not exist").in_file(&source),
-            _ => Error::new(format!("cannot read the file: {error}")).in_file(&source),
-        })?;
+        let content = lesson.source.read(file)?;
         Ok(Self { content, target: folder.join(file) })
     }
 
     /// True if the target holds this very content.
     fn is_made(&self) -> bool {
-        std::fs::read(&self.target).is_ok_and(|found| found == self.content)
+        std::fs::read(&self.target).is_ok_and(|found| self.content == found)
     }
 
     /// Writes the file, whole or not at all.

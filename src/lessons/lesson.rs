@@ -6,6 +6,7 @@ use std::path::{Component, Path, PathBuf};
 
 use serde::Deserialize;
 
+use super::Source;
 use crate::error::{Error, Result};
 
 /// The file that makes a folder a lesson.
@@ -32,10 +33,10 @@ pub struct Bilingual {
 }
 
 /// A lesson.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Lesson {
     /// The folder with its texts and scenes.
-    pub folder: PathBuf,
+    pub source: Source,
     /// From 1, in the order of the course.
     pub number: u32,
     /// A few words.
@@ -85,28 +86,39 @@ impl Bilingual {
 }
 
 impl Lesson {
-    /// Reads the lesson of a folder.
-    pub fn read(folder: PathBuf) -> Result<Self> {
-        let file = folder.join(FILE);
-        let text = std::fs::read_to_string(&file)
-            .map_err(|error| Error::new(format!("cannot read the file: {error}")).in_file(&file))?;
-        let keys: Keys = toml::from_str(&text).map_err(|error| {
+    /// Reads the `lesson.toml` of a lesson.
+    pub fn read(source: Source) -> Result<Self> {
+        let file = source.path().join(FILE);
+        let content = source.read(Path::new(FILE))?;
+        let text = str::from_utf8(&content).map_err(|error| Error::new(error.to_string()).in_file(&file))?;
+        let keys: Keys = toml::from_str(text).map_err(|error| {
             let line = error.span().map_or(1, |span| text[..span.start].matches('\n').count() + 1);
             Error::new(error.message().replace('\n', "; ")).in_file(&file).at_line(line)
         })?;
         keys.check().map_err(|error| error.in_file(&file))?;
         let Keys { number, title, goal, needs, files, commands, expected_samples } = keys;
-        Ok(Self { folder, number, title, goal, needs, files, commands, expected_samples })
+        Ok(Self { source, number, title, goal, needs, files, commands, expected_samples })
     }
 
     /// The name of its folder: `01-camera-rays`.
     pub fn name(&self) -> String {
-        self.folder.file_name().map_or_else(|| format!("{:02}", self.number), |name| name.display().to_string())
+        self.source.path().file_name().map_or_else(|| format!("{:02}", self.number), |name| name.display().to_string())
+    }
+}
+
+impl Language {
+    /// The language of the system's messages, by the variables of POSIX: Czech where it says `cs`, else English.
+    pub fn of_system() -> Self {
+        let mut variables = ["LC_ALL", "LC_MESSAGES", "LANG"].into_iter().filter_map(|name| std::env::var(name).ok());
+        match variables.find(|value| !value.is_empty()) {
+            Some(locale) if locale.split(['_', '.', '@']).next() == Some("cs") => Language::Cs,
+            _ => Language::En,
+        }
     }
 
-    /// The README in a language.
-    pub fn readme(&self, language: Language) -> PathBuf {
-        self.folder.join(language.choose("README.md", "README.cs.md"))
+    /// The name of the README in this language.
+    pub fn readme(self) -> &'static str {
+        self.choose("README.md", "README.cs.md")
     }
 }
 

@@ -23,18 +23,22 @@ pub fn lesson_list(lessons: &[Lesson], language: Language) -> String {
 
 /// One lesson: goal, what it needs, commands.
 pub fn lesson_page(lesson: &Lesson, language: Language) -> String {
-    let [goal, needs, text, commands] = language.choose(
-        ["goal", "needs", "read", "commands, in the folder that `skycube lessons start` makes"],
-        ["cíl", "potřebuje", "text", "příkazy, ve složce, kterou založí `skycube lessons start`"],
+    let (number, name, readme) = (lesson.number, lesson.name(), language.readme());
+    let [goal, needs] = language.choose(["goal", "needs"], ["cíl", "potřebuje"]);
+    let hint = language.choose(
+        format!(
+            "`skycube lessons start {number}` copies the lesson into the folder {name}. There, read {readme} and run"
+        ),
+        format!(
+            "`skycube lessons start {number}` zkopíruje lekci do složky {name}. Tam si přečtěte {readme} a spusťte"
+        ),
     );
     let lines: String = lesson.commands.iter().map(|command| format!("    {command}\n")).collect();
     format!(
-        "{:02} {}\n\n{goal}: {}\n{needs}: {}\n{text}: {}\n\n{commands}:\n{lines}",
-        lesson.number,
+        "{number:02} {}\n\n{goal}: {}\n{needs}: {}\n\n{hint}\n{lines}",
         lesson.title.in_language(language),
         lesson.goal.in_language(language),
         lesson.needs.in_language(language),
-        lesson.readme(language).display()
     )
 }
 
@@ -46,8 +50,7 @@ pub fn lesson_started(lesson: &Lesson, started: &[Started], folder: &Path, langu
     };
     let lines: String = started.iter().map(line).collect();
     let folder = folder.display();
-    let readme = lesson.readme(language);
-    let readme = readme.file_name().unwrap_or_default().display().to_string();
+    let readme = language.readme();
     let hint = language.choose(
         format!("next: cd {folder}, read {readme}, and run"),
         format!("dál: cd {folder}, přečtěte si {readme} a spusťte"),

@@ -27,8 +27,13 @@ impl ShotsReport {
     pub fn camera(&self) -> String {
         let unit = if self.samples == 1 { "sample at the pixel's centre" } else { "samples per pixel" };
         format!(
-            "camera at (0, 0, 0), 90° wide and high, {} x {} pixels, {} {unit}, right = forward x up; world up {}, lookup {}",
-            self.size, self.size, self.samples, self.world_up, self.lookup
+            "camera at (0, 0, 0), 90° wide and high, {} x {} pixels, {} {unit}, right = {}; world up {}, lookup {}",
+            self.size,
+            self.size,
+            self.samples,
+            self.shots[0].handedness.right(),
+            self.world_up,
+            self.lookup
         )
     }
 }

@@ -14,9 +14,10 @@ pub fn project(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
 }
 
-/// What the program does with these arguments in a folder.
+/// What the program does with these arguments in a folder, whatever the language of the system.
 pub fn skycube(folder: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_skycube")).args(arguments).current_dir(folder).output().unwrap()
+    let mut program = Command::new(env!("CARGO_BIN_EXE_skycube"));
+    program.env("LC_ALL", "C").args(arguments).current_dir(folder).output().unwrap()
 }
 
 /// The same as exit code, standard output and standard error.

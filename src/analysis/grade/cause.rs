@@ -83,7 +83,7 @@ impl Grade {
                 None => row,
             }
         });
-        Lookup::new(rows, lookup.v_origin()).expect("a row in another orientation spans its face")
+        lookup.with_rows(rows).expect("a row in another orientation spans its face")
     }
 }
 

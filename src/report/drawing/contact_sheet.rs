@@ -54,7 +54,7 @@ pub fn draw_contact_sheet(shots: &[CaptionedShot; 6], heading: &str, foot: &str,
 
 fn draw_shot(canvas: &mut Canvas, captioned: &CaptionedShot, picture: &Pixmap, (x, y): (f32, f32), scale: f32) {
     canvas.picture(picture, [x, y].map(|units| (units * scale).round() as usize));
-    let AxisShot { direction, up } = captioned.shot;
+    let AxisShot { direction, up, .. } = captioned.shot;
     let view = format!("along {}   up {up}   right {}", direction.signed_name(), captioned.shot.right());
     canvas.fitted_text(&view, 22.0, (x, y + PICTURE + 26.0), PICTURE);
     let seen = format!("face {} reads {}", direction.signed_name(), captioned.image);

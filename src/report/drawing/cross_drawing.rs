@@ -7,9 +7,8 @@ use super::cross_layout::{CrossCell, CrossLayout};
 use super::finished::Drawing;
 use super::text_drawing::{Anchor, text_width};
 use crate::colour::ToneMap;
-use crate::envmap::{CubeMap, Face, Lookup, SignedAxis};
+use crate::envmap::{CubeMap, Face, Handedness, Lookup, SignedAxis, World};
 use crate::parallel;
-use crate::render::front;
 use crate::validate::{Seam, Verdict};
 
 /// Side of a cell in the units of the drawing.
@@ -31,9 +30,16 @@ pub struct CrossInput<'a> {
     pub tone_map: ToneMap,
 }
 
+impl CrossInput<'_> {
+    /// The world that the lookup is for.
+    fn world(&self) -> World {
+        World { up: self.world_up, handedness: self.map.lookup().handedness() }
+    }
+}
+
 /// Draws the cross. Pictures that cannot be decoded are black; [`CubeMap::errors`] tells.
 pub fn draw_cross(input: &CrossInput) -> Drawing {
-    let layout = CrossLayout::new(input.world_up);
+    let layout = CrossLayout::new(input.world());
     let scale = input.cell as f32 / CELL;
     let margin = (MARGIN * scale).round() as usize;
     let [width, height] = [4, 3].map(|cells| cells * input.cell + 2 * margin);
@@ -159,8 +165,10 @@ const WORDS: f32 = LEFT + 50.0;
 fn draw_legend(canvas: &mut Canvas, input: &CrossInput) {
     let top = MARGIN;
     note(canvas, input.heading, 24.0, (LEFT, top + 26.0));
-    let up = input.world_up;
-    note(canvas, &format!("{up} up, front {}; seen from inside", front(up)), 17.0, (LEFT, top + 56.0));
+    let World { up, handedness } = input.world();
+    let hand = if handedness == Handedness::Left { ", left-handed" } else { "" };
+    let view = format!("{up} up, front {}{hand}; seen from inside", input.world().front());
+    note(canvas, &view, 17.0, (LEFT, top + 56.0));
     note(canvas, &mirrored(input.map.lookup()), 17.0, (LEFT, top + 82.0));
     let mut y = MARGIN + 2.0 * CELL + 44.0;
     for verdict in [Verdict::Fits, Verdict::Broken, Verdict::Undecidable] {

@@ -10,8 +10,8 @@
 //!             +-------+
 //! ```
 
-use crate::envmap::{Face, SignedAxis};
-use crate::render::{AxisShot, front};
+use crate::envmap::{Face, SignedAxis, World};
+use crate::render::AxisShot;
 use crate::validate::Edge;
 
 /// The place of one face.
@@ -48,16 +48,17 @@ pub struct CrossLayout {
 }
 
 impl CrossLayout {
-    /// The cross of a world whose vertical axis is `world_up`.
-    pub fn new(world_up: SignedAxis) -> Self {
-        let front = front(world_up);
-        let right = AxisShot::new(front.face(), world_up).right();
+    /// The cross of a world, or of a right-handed one of which the vertical axis is given.
+    pub fn new(world: impl Into<World>) -> Self {
+        let world = world.into();
+        let front = world.front();
+        let right = AxisShot::new(front.face(), world).right();
         let cells = Face::ALL.map(|face| {
             let axis = face.signed_axis();
-            let places = [(-right, 0, 1), (front, 1, 1), (right, 2, 1), (-front, 3, 1), (world_up, 1, 0)];
+            let places = [(-right, 0, 1), (front, 1, 1), (right, 2, 1), (-front, 3, 1), (world.up, 1, 0)];
             let place = places.into_iter().find(|(known, ..)| *known == axis);
-            let (_, column, row) = place.unwrap_or((-world_up, 1, 2));
-            CrossCell { shot: AxisShot::new(face, world_up), column, row }
+            let (_, column, row) = place.unwrap_or((-world.up, 1, 2));
+            CrossCell { shot: AxisShot::new(face, world), column, row }
         });
         Self { cells }
     }
@@ -90,6 +91,7 @@ impl CrossLayout {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::envmap::Handedness;
 
     fn joined(layout: &CrossLayout) -> String {
         let joined = Edge::ALL.into_iter().filter(|edge| layout.joins(*edge));
@@ -102,6 +104,9 @@ mod tests {
         assert_eq!(joined(&CrossLayout::new(SignedAxis::POS_Z)), "+x+y +x-y -x+y +y+z +y-z");
         // y up: left -x, front -z, right +x, back +z.
         assert_eq!(joined(&CrossLayout::new(SignedAxis::POS_Y)), "+x+z +x-z -x-z +y-z -y-z");
+        // y up in a left-handed world: left -x, front +z, right +x, back -z.
+        let world = World { up: SignedAxis::POS_Y, handedness: Handedness::Left };
+        assert_eq!(joined(&CrossLayout::new(world)), "+x+z +x-z -x+z +y+z -y+z");
     }
 
     #[test]

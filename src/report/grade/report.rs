@@ -10,7 +10,7 @@ use super::sentences::{
     DIVISION, cause, describe, faces, other_explanation, other_up, out_of_range, preset, repair, undecided,
 };
 use crate::digits::rounded;
-use crate::envmap::{ImageOperation, Lookup, SignedAxis};
+use crate::envmap::{ImageOperation, Lookup, SignedAxis, World};
 use crate::grade::{CameraFault, FaceGrade, Grade, GradeVerdict, Misfit, ShotFrame, other_ups};
 use crate::render::AxisShot;
 
@@ -143,11 +143,17 @@ impl GradeReport<'_> {
         sentences
     }
 
+    /// The world that the lookup is for.
+    fn world(&self) -> World {
+        World { up: self.world_up, handedness: self.table.handedness() }
+    }
+
     /// The up vectors that were assumed where none is plain, and what would be wrong with others.
     fn ups(&self) -> Vec<String> {
-        let shots = AxisShot::all(self.world_up).into_iter().filter(|shot| shot.up.axis != self.world_up.axis);
-        let sentence = |AxisShot { direction, up }| {
-            let frame = ShotFrame { face: direction, right: AxisShot { direction, up }.right(), up };
+        let shots = AxisShot::all(self.world()).into_iter().filter(|shot| shot.up.axis != self.world_up.axis);
+        let sentence = |shot: AxisShot| {
+            let AxisShot { direction, up, .. } = shot;
+            let frame = ShotFrame { face: direction, right: shot.right(), up };
             other_up(direction, up, &other_ups(&self.table, frame))
         };
         shots.map(sentence).collect()
@@ -216,8 +222,9 @@ impl fmt::Display for GradeReport<'_> {
             self.map, self.lookup, self.world_up
         )?;
         let camera = |shot: AxisShot| format!("{} up {}", shot.direction.name(), shot.up);
-        let cameras = AxisShot::all(self.world_up).map(camera).join(", ");
-        writeln!(formatter, "cameras: at the origin, 90° wide and high: {cameras}; right = forward x up")?;
+        let cameras = AxisShot::all(self.world()).map(camera).join(", ");
+        let right = self.world().handedness.right();
+        writeln!(formatter, "cameras: at the origin, 90° wide and high: {cameras}; right = {right}")?;
         writeln!(formatter, "\nshot   sees     image    reads")?;
         let mut faces: Vec<&FaceGrade> = self.grade.faces.iter().collect();
         faces.sort_by_key(|face| face.shot);

@@ -12,7 +12,7 @@ use serde::Serialize;
 
 use super::code::{CodeLanguage, lookup_code};
 use crate::choice::name_of;
-use crate::envmap::{CubeMap, Face, Lookup, Orientation, SignedAxis, VOrigin};
+use crate::envmap::{CubeMap, Face, Handedness, Lookup, Orientation, SignedAxis, VOrigin};
 use crate::error::Result;
 use crate::validate::{Check, FaceFix, Seam};
 
@@ -61,7 +61,7 @@ struct Tables {
 #[derive(Serialize)]
 struct Data<'a> {
     world_up: SignedAxis,
-    /// True if a right-handed world would see all six pictures mirrored.
+    /// True if the lookup is for a left-handed world, or a right-handed one would see all six pictures mirrored.
     mirrored: bool,
     tables: Tables,
     files: [&'a str; 6],
@@ -80,7 +80,7 @@ pub fn view_page(input: &ViewInput) -> Result<String> {
     let sources = pictures::embedded(map, limit)?;
     let data = Data {
         world_up,
-        mirrored: check.mirrored.len() == 6,
+        mirrored: map.lookup().handedness() == Handedness::Left || check.mirrored.len() == 6,
         tables: Tables { before: map.lookup().into(), after: (&repaired).into() },
         files: Face::ALL.map(|face| check.images[face.index()].file.as_str()),
         images: sources

@@ -13,6 +13,7 @@
 
 use super::axis::SignedAxis;
 use super::face::Face;
+use super::handedness::Handedness;
 use super::v_origin::VOrigin;
 use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
@@ -24,6 +25,7 @@ use crate::picture::Picture;
 pub struct Lookup {
     faces: [FaceLookup; 6],
     v_origin: VOrigin,
+    handedness: Handedness,
 }
 
 /// One row of the table.
@@ -86,7 +88,22 @@ impl Lookup {
                 ));
             }
         }
-        Ok(Self { faces, v_origin })
+        Ok(Self { faces, v_origin, handedness: Handedness::Right })
+    }
+
+    /// The same table with other rows.
+    pub fn with_rows(&self, faces: [FaceLookup; 6]) -> Result<Self, String> {
+        Ok(Self { handedness: self.handedness, ..Self::new(faces, self.v_origin)? })
+    }
+
+    /// The same table for the directions of a left- or right-handed world.
+    pub fn in_world(self, handedness: Handedness) -> Self {
+        Self { handedness, ..self }
+    }
+
+    /// The handedness of the world whose directions it gets; no direction is located otherwise because of it.
+    pub fn handedness(&self) -> Handedness {
+        self.handedness
     }
 
     /// The row of a face.

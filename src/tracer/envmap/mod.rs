@@ -5,6 +5,7 @@
 mod axis;
 mod background;
 mod cube_map;
+mod engine;
 mod environment;
 mod face;
 mod handedness;
@@ -21,8 +22,10 @@ mod v_origin;
 pub use axis::SignedAxis;
 pub use background::{Equirectangular, Gradient};
 pub use cube_map::{CubeFilter, CubeMap};
+pub use engine::Engine;
 pub use environment::{Environment, EnvironmentKind};
 pub use face::Face;
+pub use handedness::{Handedness, World};
 pub use lazy_image::{Decoder, LazyImage};
 pub use lookup::{FaceLookup, FacePoint, ImagePoint, Lookup};
 pub use orientation::{ImageOperation, Orientation};

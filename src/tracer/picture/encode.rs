@@ -4,7 +4,7 @@ use std::path::Path;
 
 use skycube_files::picture::{self as files, with_remark};
 
-use super::{OutputFormat, PngDepth, Raster, Samples, check_target, encode_png, write_atomically};
+use super::{OutputFormat, PngDepth, Raster, Samples, encode_png, write_atomically};
 use crate::colour::{Encoding, ToneMap};
 use crate::error::{Error, Result};
 use crate::math::Vec3;
@@ -59,23 +59,26 @@ pub fn write(raster: &Raster, path: &Path, options: &WriteOptions) -> Result<()>
     write_with(raster, path, options, Extras::default())
 }
 
-/// Writes a raster and what belongs to it. An error if there are layers and the format cannot hold them.
+/// Writes a raster and what belongs to it.
 pub fn write_with(raster: &Raster, path: &Path, options: &WriteOptions, extras: Extras) -> Result<()> {
-    let format = OutputFormat::of_path(path)?;
-    check_target(path)?;
+    let encoded = encode_with(raster, OutputFormat::of_path(path)?, options, extras);
+    write_atomically(path, &encoded.map_err(|error| error.in_file(path))?)
+}
+
+/// The bytes of a file that holds the raster and what belongs to it. An error if there are layers and the format cannot hold
+/// them.
+pub fn encode_with(raster: &Raster, format: OutputFormat, options: &WriteOptions, extras: Extras) -> Result<Vec<u8>> {
     if format != OutputFormat::Exr && !extras.layers.is_empty() {
-        return Err(Error::new("this format has no layers").in_file(path).expected("the extension .exr"));
+        return Err(Error::new("this format has no layers").expected("OpenEXR"));
     }
     let encoded = match format {
-        OutputFormat::Exr => encode_exr(raster, extras.layers, extras.remark),
-        _ => encode(raster, format, options),
+        OutputFormat::Exr => encode_exr(raster, extras.layers, extras.remark)?,
+        _ => encode(raster, format, options)?,
     };
-    let encoded = encoded.map_err(|error| error.in_file(path))?;
-    let remarked = match extras.remark {
+    Ok(match extras.remark {
         Some(remark) => with_remark(encoded, format, remark),
         None => encoded,
-    };
-    write_atomically(path, &remarked)
+    })
 }
 
 /// The bytes of a file that holds the raster.

@@ -15,7 +15,7 @@ mod texture;
 pub use bilinear::{Footprint, neighbours};
 pub use decode::{decode, read, read_file_header, read_header};
 pub use display::{display_bytes, without_opacity};
-pub use encode::{Extras, SideLayer, WriteOptions, encode, write, write_with};
+pub use encode::{Extras, SideLayer, WriteOptions, encode, encode_with, write, write_with};
 pub use raster::Raster;
 pub use texels::{Picture, Texels};
 pub use texture::{Filter, Texture, Wrap};
@@ -25,8 +25,8 @@ pub use skycube_files::picture::{
     exr_environment, write_png,
 };
 pub use skycube_files::{
-    between_writes, check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent,
-    write_together,
+    archive::archive_of, between_writes, check_folder_target, check_target, folder_of, is_standard_stream, make_folder,
+    write_atomically, write_if_absent, write_together,
 };
 
 #[cfg(test)]

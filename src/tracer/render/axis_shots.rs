@@ -10,12 +10,13 @@
 //! ```
 //!
 //! One rule makes the table: every world has a front (+y where z is the vertical axis, else -z, as
-//! [`Equirectangular`](crate::envmap::Equirectangular) has it). A camera that looks to the front and tilts back to look
+//! [`Equirectangular`](crate::envmap::Equirectangular) has it; [`World::front`]). A camera that looks to the front and tilts back to look
 //! upwards has the front behind its head, up = -front; tilted down it has up = +front.
 
 use crate::camera::Camera;
-use crate::envmap::{Environment, Face, SignedAxis};
+use crate::envmap::{Environment, Face, Handedness, SignedAxis, World};
 use crate::math::DVec3;
+use crate::picture::Raster;
 use crate::scene::Scene;
 
 /// How the camera of one axis shot looks.
@@ -25,31 +26,45 @@ pub struct AxisShot {
     pub direction: Face,
     /// The axis that points upwards in the picture.
     pub up: SignedAxis,
+    /// That of the world.
+    pub handedness: Handedness,
 }
 
 impl AxisShot {
-    /// The shot along `direction` in a world whose vertical axis is `world_up`.
-    pub fn new(direction: Face, world_up: SignedAxis) -> Self {
-        let forward = direction.signed_axis();
+    /// The shot along `direction` in a world, or in a right-handed one of which the vertical axis is given.
+    pub fn new(direction: Face, world: impl Into<World>) -> Self {
+        let (forward, world) = (direction.signed_axis(), world.into());
         let up = match forward {
-            _ if forward == world_up => -front(world_up),
-            _ if forward == -world_up => front(world_up),
-            _ => world_up,
+            _ if forward == world.up => -world.front(),
+            _ if forward == -world.up => world.front(),
+            _ => world.up,
         };
-        Self { direction, up }
+        Self { direction, up, handedness: world.handedness }
     }
 
     /// All six in the order of [`Face::ALL`].
-    pub fn all(world_up: SignedAxis) -> [Self; 6] {
-        Face::ALL.map(|direction| Self::new(direction, world_up))
+    pub fn all(world: impl Into<World>) -> [Self; 6] {
+        let world = world.into();
+        Face::ALL.map(|direction| Self::new(direction, world))
     }
 
-    /// The axis that points to the right in the picture: forward x up.
+    /// The axis that points to the right in the picture: forward x up; in a left-handed world the opposite one.
     pub fn right(self) -> SignedAxis {
-        self.direction.signed_axis().cross(self.up).expect("up is at a right angle to the view")
+        let right = self.direction.signed_axis().cross(self.up).expect("up is at a right angle to the view");
+        if self.handedness == Handedness::Left { -right } else { right }
     }
 
-    /// The camera: at the origin, 90 degrees wide and high, `size` pixels each way.
+    /// What its viewer sees where the camera took `raster`: in a left-handed world the mirror image.
+    pub fn as_seen(self, raster: Raster) -> Raster {
+        match self.handedness {
+            Handedness::Right => raster,
+            Handedness::Left => {
+                Raster::from_function(raster.width(), raster.height(), |x, y| raster.pixel(raster.width() - 1 - x, y))
+            }
+        }
+    }
+
+    /// The tracer's right-handed camera: at the origin, 90 degrees wide and high, `size` pixels each way.
     pub fn camera(self, size: usize) -> Camera {
         let [target, up] = [self.direction.normal(), self.up.direction()].map(|axis| axis.as_dvec3());
         Camera::look_at(DVec3::ZERO, target, up, 90.0, [size, size]).expect("up is at a right angle to the view")
@@ -61,17 +76,12 @@ impl AxisShot {
     }
 }
 
-/// The horizontal axis that a world looks to at the start.
-pub fn front(world_up: SignedAxis) -> SignedAxis {
-    if world_up.axis == 2 { SignedAxis::POS_Y } else { SignedAxis::NEG_Z }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     fn ups(world_up: &str) -> String {
-        AxisShot::all(world_up.parse().unwrap()).map(|shot| shot.up.to_string()).join(" ")
+        AxisShot::all(world_up.parse::<SignedAxis>().unwrap()).map(|shot| shot.up.to_string()).join(" ")
     }
 
     /// Along +x -x +y -y +z -z; the first two lines are those of `conventions.md`.
@@ -83,6 +93,16 @@ mod tests {
         assert_eq!(ups("-z"), "-z -z -z -z +y -y");
         assert_eq!(ups("-y"), "-y -y -z +z -y -y");
         assert_eq!(ups("-x"), "-z +z -x -x -x -x");
+    }
+
+    /// As Direct3D and Unity have it (forward +z, right +x), and Unreal (forward +x, right +y).
+    #[test]
+    fn left_handed_worlds_have_their_right_on_the_other_side() {
+        for (up, front, right) in [("+y", "+z", "+x"), ("+z", "+x", "+y")] {
+            let world = World { up: up.parse().unwrap(), handedness: Handedness::Left };
+            assert_eq!(world.front().to_string(), front);
+            assert_eq!(AxisShot::new(world.front().face(), world).right().to_string(), right);
+        }
     }
 
     #[test]

@@ -12,7 +12,7 @@ mod ray_source;
 mod renderer;
 mod rendering;
 
-pub use axis_shots::{AxisShot, front};
+pub use axis_shots::AxisShot;
 pub use bake::bake_face;
 pub use film::{FilmRow, Keeps};
 pub use layers::Layers;

@@ -102,7 +102,7 @@ pub fn read_borders(map: &CubeMap) -> Result<Borders> {
 /// nothing but where v = 0 lies.
 fn as_named(lookup: &Lookup) -> Lookup {
     let rows = Face::ALL.map(|face| FaceLookup { image: face, ..lookup.row(face) });
-    Lookup::new(rows, lookup.v_origin()).expect("the axes are those of a valid table")
+    lookup.with_rows(rows).expect("the axes are those of a valid table")
 }
 
 /// One encoding for all six: that of radiance if one of the files holds radiance.

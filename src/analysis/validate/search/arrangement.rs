@@ -39,7 +39,7 @@ impl Arrangement {
             image: self.images[face.index()],
             ..self.orientation(face).of_row(lookup.row(face))
         });
-        Lookup::new(rows, lookup.v_origin()).expect("a row in another orientation spans its face")
+        lookup.with_rows(rows).expect("a row in another orientation spans its face")
     }
 }
 

@@ -17,8 +17,6 @@ mod sizes;
 #[cfg(test)]
 mod tests;
 
-use std::fs::File;
-use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -28,6 +26,7 @@ pub use listing::Naming;
 pub use passing_over::is_passed_over;
 pub use sizes::{SizeFault, SizeFaultKind};
 use skycube_files::archive::Archive;
+use skycube_files::is_standard_stream;
 
 use self::listing::Located;
 use self::sheet::Sheet;
@@ -55,7 +54,7 @@ impl Skybox {
     }
 
     /// As [`Skybox::open`], but faces of any size are taken, [`Skybox::size_faults`] names them; and so are six pictures whose
-    /// names do not say which face they are.
+    /// names do not say which face they are. `-` is a zip or a picture on standard input.
     pub fn open_lenient(path: &Path) -> Result<Self> {
         if path.is_dir() {
             return open_folder(path);
@@ -63,7 +62,7 @@ impl Skybox {
         if let Some(set) = open_set(path)? {
             return Ok(set);
         }
-        if path.is_file() {
+        if path.is_file() || is_standard_stream(path) {
             return if is_zip(path)? { open_archive(path, None) } else { open_picture(path) };
         }
         match enclosing_file(path) {
@@ -250,10 +249,8 @@ fn unreadable(mut errors: Vec<(Face, Error)>) -> Error {
 
 /// True if a file begins as a zip archive does, or is named as one.
 fn is_zip(path: &Path) -> Result<bool> {
-    let mut magic = Vec::new();
-    let read = File::open(path).and_then(|file| file.take(2).read_to_end(&mut magic));
-    read.map_err(|error| Error::new(format!("cannot be read: {error}")).in_file(path))?;
-    Ok(magic == b"PK" || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip")))
+    Ok(picture_file::read_file(path, Some(2))? == b"PK"
+        || path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip")))
 }
 
 /// The file that a path leads into, and the rest of the path with `/` between its parts.

@@ -1,6 +1,5 @@
 //! A picture file, or the beginning of one.
 
-use std::fs::File;
 use std::io::Read;
 use std::path::Path;
 
@@ -28,14 +27,12 @@ pub(super) fn read_header(read: impl Fn(Option<u64>) -> Result<Vec<u8>>, name: &
 /// The bytes of a file, or its first ones.
 pub(super) fn read_file(path: &Path, limit: Option<u64>) -> Result<Vec<u8>> {
     skycube_files::check_plain(path, "a picture file").map_err(|error| error.in_file(path))?;
-    let read = || {
-        let mut bytes = Vec::new();
-        let file = File::open(path)?;
-        match limit {
-            Some(limit) => file.take(limit).read_to_end(&mut bytes)?,
-            None => { file }.read_to_end(&mut bytes)?,
-        };
-        Ok(bytes)
+    let mut file = skycube_files::open_file(path).map_err(|error| error.in_file(path))?;
+    let mut bytes = Vec::new();
+    let read = match limit {
+        Some(limit) => file.take(limit).read_to_end(&mut bytes),
+        None => file.read_to_end(&mut bytes),
     };
-    read().map_err(|error: std::io::Error| Error::new(format!("cannot be read: {error}")).in_file(path))
+    read.map_err(|error| Error::new(format!("cannot be read: {error}")).in_file(path))?;
+    Ok(bytes)
 }
