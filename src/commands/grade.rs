@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::options::read_lookup;
-use super::terminal::{Outcome, print};
+use super::progress_bar::Spinner;
+use super::terminal::{Outcome, print, tell};
 use crate::envmap::source::Skybox;
-use crate::envmap::{Face, Preset, SignedAxis};
+use crate::envmap::{Face, Lookup, Preset, SignedAxis};
 use crate::error::{Error, Result};
-use crate::grade::{GradeVerdict, Grader, ShotFrame};
+use crate::grade::{Grade, GradeVerdict, Grader, ShotFrame};
 use crate::picture::{Picture, read};
 use crate::render::AxisShot;
 use crate::report::{CodeLanguage, GradeReport, lookup_code};
@@ -45,12 +46,9 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
     let lookup_name = arguments.lookup.as_deref().unwrap_or("course");
     let lookup = read_lookup(lookup_name)?;
     let world_up = arguments.world_up.unwrap_or_else(|| Preset::usual_up_of(lookup_name));
-    let skybox = Skybox::open_lenient(&arguments.map)?;
-    let shots = read_shots(&arguments.shots)?;
-    let map = load(&skybox, lookup)?;
-    let frames =
-        AxisShot::all(world_up).map(|shot| ShotFrame { face: shot.direction, right: shot.right(), up: shot.up });
-    let grade = Grader::new(&map, frames)?.grade(&shots);
+    let spinner = Spinner::new("grading");
+    let grade = grade(arguments, lookup, world_up).inspect_err(|_| spinner.finish())?;
+    spinner.finish();
     let name =
         arguments.map.file_name().map_or_else(|| arguments.map.display().to_string(), |n| n.display().to_string());
     let report = GradeReport {
@@ -61,13 +59,23 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
         table: lookup,
         world_up,
     };
-    print(match arguments.code {
-        Some(language) => lookup_code(&lookup, &grade.lookup_of_code(&lookup), language),
-        None if arguments.json => format!("{}\n", report.to_json()),
-        None => report.to_string(),
-    });
+    match arguments.code {
+        Some(language) => print(lookup_code(&lookup, &grade.lookup_of_code(&lookup), language)),
+        None if arguments.json => print(format_args!("{}\n", report.to_json())),
+        None => tell(&report),
+    }
     let clean = matches!(grade.verdict(), GradeVerdict::Right | GradeVerdict::Undecided);
     Ok(if clean { Outcome::Clean } else { Outcome::Faults })
+}
+
+/// Reads map and shots, and grades them.
+fn grade(arguments: &GradeArguments, lookup: Lookup, world_up: SignedAxis) -> Result<Grade> {
+    let skybox = Skybox::open_lenient(&arguments.map)?;
+    let shots = read_shots(&arguments.shots)?;
+    let map = load(&skybox, lookup)?;
+    let frames =
+        AxisShot::all(world_up).map(|shot| ShotFrame { face: shot.direction, right: shot.right(), up: shot.up });
+    Ok(Grader::new(&map, frames)?.grade(&shots))
 }
 
 /// The six shots in the order of [`Face::ALL`].
