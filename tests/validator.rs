@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 
 use skycube::envmap::source::Skybox;
 use skycube::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset, SignedAxis};
+use skycube::error::Error;
 use skycube::picture::Picture;
-use skycube::report::{CheckReport, check_json};
+use skycube::report::{CheckReport, Look, MapCheck, Page, Totals, check_json, map_line, totals_line};
 use skycube::validate::{Check, CheckOptions, Convention, ImageFacts, Names, Note, Verdict, check, load};
 
 fn options(lookup: Preset, world_up: Option<SignedAxis>) -> CheckOptions {
@@ -146,11 +147,25 @@ fn flat_ground_is_undecided() {
     assert_eq!(check.fix.equivalents, 8);
 }
 
+/// A page as it is in a file, and on terminals of 120, 80 and 60 columns; in colours, where an escape is written ␛, at 80.
+fn looks(page: &Page) -> String {
+    let shown = |width: Option<usize>, colour: bool| page.shown(Look { width, colour });
+    let mut looks = format!("--- file\n{}", shown(None, false));
+    for columns in [120, 80, 60] {
+        let (plain, coloured) = (shown(Some(columns), false), shown(Some(columns), true));
+        assert_eq!(anstream::adapter::strip_str(&coloured).to_string(), plain, "colours change nothing else");
+        assert!(plain.lines().all(|line| line.chars().count() <= columns), "{columns} columns:\n{plain}");
+        looks += &format!("--- {columns} columns\n{plain}");
+    }
+    looks + "--- 80 columns, in colours\n" + &shown(Some(80), true).replace('\u{1b}', "␛")
+}
+
 #[test]
 fn the_report_on_a_right_map() {
     let check = checked(&compass(), Preset::Opengl, None);
     let report = CheckReport::new("compass".to_owned(), &check);
-    insta::assert_snapshot!("compass_text", report);
+    assert_eq!(report.to_string().lines().count(), 3);
+    insta::assert_snapshot!("compass_text", looks(&report.page(false)));
     insta::assert_snapshot!("compass_json", check_json(&[("compass".to_owned(), Ok(check))]));
 }
 
@@ -159,7 +174,8 @@ fn the_report_on_the_exercise() {
     let options = options(Preset::Exercise, None);
     let check = check_pictures(compass_for_z_up(), Preset::Exercise.lookup(), &options);
     let report = CheckReport::new("compass".to_owned(), &check);
-    insta::assert_snapshot!("exercise_text", report);
+    insta::assert_snapshot!("exercise_text", looks(&report.page(false)));
+    insta::assert_snapshot!("exercise_verbose", looks(&report.page(true)));
     insta::assert_snapshot!("exercise_json", check_json(&[("compass".to_owned(), Ok(check))]));
 }
 
@@ -174,7 +190,7 @@ fn faulty(fault: impl Fn(&mut [Picture; 6])) -> Check {
 #[test]
 fn the_report_says_how_seams_are_judged_and_counts_in_good_grammar() {
     let check = checked(&compass().with_file_name("courtyard"), Preset::Exercise, Some(SignedAxis::POS_Z));
-    let report = CheckReport::new("courtyard".to_owned(), &check).to_string();
+    let report = CheckReport::new("courtyard".to_owned(), &check).page(true).shown(Look::default());
     assert!(report.contains("score = step / max(detail, 0.5)"), "{report}");
     assert!(report.contains("verdict: not by the score, but by comparing orientations"), "{report}");
     let rough = check.fix.seams_after.iter().filter(|seam| seam.score > 3.0).count();
@@ -187,33 +203,83 @@ fn the_report_says_how_seams_are_judged_and_counts_in_good_grammar() {
     assert!(mirrored.contains("sees no face mirrored now, and posy after the fix"), "{mirrored}");
     // Where images change places, seams leave open how the cube as a whole is turned and mirrored.
     let swapped = faulty(|images| images.swap(0, 2));
-    let report = CheckReport::new("swapped".to_owned(), &swapped).to_string();
+    let report = CheckReport::new("swapped".to_owned(), &swapped).page(true).shown(Look::default());
     let count = "equally good orientations: 48; the simplest one is shown, seams cannot tell them apart";
     assert!(report.contains(count) && report.contains("has 48 rotations and mirrorings"), "{report}");
 }
 
+fn looks_of(name: &str, check: &Check) -> String {
+    looks(&CheckReport::new(name.to_owned(), check).page(false))
+}
+
+fn swapped() -> Check {
+    faulty(|pictures| pictures.swap(0, 4))
+}
+
+fn turned() -> Check {
+    faulty(|pictures| pictures[2] = pictures::oriented(&pictures[2], skycube::envmap::Orientation::ALL[4]))
+}
+
+/// A map of six pictures of one colour.
+fn uniform() -> Check {
+    faulty(|pictures| *pictures = Face::ALL.map(|_| pictures::computed(64, |_, _| [128.0; 3])))
+}
+
 #[test]
 fn the_report_on_swapped_faces() {
-    let check = faulty(|pictures| pictures.swap(0, 4));
-    insta::assert_snapshot!("swapped_text", CheckReport::new("swapped".to_owned(), &check));
+    insta::assert_snapshot!("swapped_text", looks_of("swapped", &swapped()));
 }
 
 #[test]
 fn the_report_on_a_turned_face() {
-    let check = faulty(|pictures| pictures[2] = pictures::oriented(&pictures[2], skycube::envmap::Orientation::ALL[4]));
-    insta::assert_snapshot!("turned_text", CheckReport::new("turned".to_owned(), &check));
+    insta::assert_snapshot!("turned_text", looks_of("turned", &turned()));
+}
+
+#[test]
+fn the_report_on_pictures_stored_from_the_bottom_up() {
+    let upside_down = skycube::envmap::Orientation::ALL[2];
+    let courtyard = Skybox::open(&compass().with_file_name("courtyard")).unwrap();
+    let stored = courtyard.images.clone().map(|image| pictures::oriented(&image.decode().unwrap(), upside_down));
+    let check = check_pictures(stored, Preset::Opengl.lookup(), &options(Preset::Opengl, None));
+    assert_eq!(check.fix.convention, Some(Convention::BottomUp));
+    insta::assert_snapshot!("bottom_up_text", looks_of("bottom-up", &check));
+}
+
+#[test]
+fn the_report_on_six_pictures_of_one_colour() {
+    let check = uniform();
+    assert_eq!(check.verdict, Verdict::Undecidable);
+    let flat: Vec<&Note> = check.notes.iter().filter(|note| matches!(note, Note::Flat { .. })).collect();
+    assert_eq!(flat, [&Note::Flat { images: Face::ALL.to_vec() }], "said once");
+    assert!(!check.notes.iter().any(|note| matches!(note, Note::Identical { .. })), "{:?}", check.notes);
+    insta::assert_snapshot!("uniform_text", looks_of("uniform", &check));
 }
 
 #[test]
 fn the_report_on_a_grey_face() {
     let check = faulty(|pictures| pictures[3] = pictures::computed(pictures[3].width(), |_, _| [128.0; 3]));
-    insta::assert_snapshot!("grey_text", CheckReport::new("grey".to_owned(), &check));
+    insta::assert_snapshot!("grey_text", looks_of("grey", &check));
 }
 
 #[test]
 fn the_report_on_a_copied_face() {
     let check = faulty(|pictures| pictures[0] = pictures[4].clone());
-    insta::assert_snapshot!("copied_text", CheckReport::new("copied".to_owned(), &check));
+    insta::assert_snapshot!("copied_text", looks_of("copied", &check));
+}
+
+#[test]
+fn the_report_on_a_folder_of_maps() {
+    let right = checked(&compass(), Preset::Opengl, None);
+    let missing = Err(Error::new("no file in it has the name of a cube face"));
+    let maps: Vec<MapCheck> = [("right", Ok(right)), ("swapped", Ok(swapped())), ("turned", Ok(turned()))]
+        .into_iter()
+        .chain([("uniform", Ok(uniform())), ("missing", missing)])
+        .map(|(name, check)| (format!("Skyboxes/{name}"), check))
+        .collect();
+    let mut page = Page::default();
+    maps.iter().for_each(|map| page.append(map_line(map)));
+    page.append(totals_line(&Totals::of(&maps)));
+    insta::assert_snapshot!("folder_text", looks(&page));
 }
 
 /// The step across an edge measured with directions alone: just inside either face, through `CubeMap::sample`.

@@ -13,7 +13,7 @@ use super::options::{
 };
 use super::own_output::refuse_rivals;
 use super::progress_bar::RenderBar;
-use super::terminal::{Outcome, leave_stdout_to, print};
+use super::terminal::{Outcome, leave_stdout_to, tell};
 use crate::envmap::{Face, Lookup};
 use crate::error::Result;
 use crate::math::DVec3;
@@ -74,8 +74,8 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
         files.push((target.as_path(), bytes?));
     }
     write(&arguments.output, &files)?;
-    targets.iter().for_each(|target| print(format_args!("wrote {}\n", target.display())));
-    print(format_args!(
+    targets.iter().for_each(|target| tell(format_args!("wrote {}\n", target.display())));
+    tell(format_args!(
         "six images of {size} x {size} texels for the lookup {}, seen from ({}, {}, {}): {seconds:.2} s, {rays} rays\n",
         arguments.lookup, position.x, position.y, position.z
     ));

@@ -7,11 +7,11 @@ use clap::Args;
 use super::engine_option::EngineOption;
 use super::map_options::{DEFAULT_LOOKUP, check_skybox};
 use super::options::read_lookup;
-use super::terminal::{Outcome, print, remark};
+use super::terminal::{Outcome, print, remark, show};
 use crate::envmap::SignedAxis;
 use crate::envmap::source::{Skybox, is_meant_as_map, is_passed_over, sets_in};
 use crate::error::{Error, Result};
-use crate::report::{CheckReport, MapCheck, Totals, check_json};
+use crate::report::{CheckReport, Totals, check_json, counted_maps, map_line, totals_line};
 use crate::validate::{Check, CheckOptions, Names, Verdict};
 
 /// The options of all commands that check a map.
@@ -65,6 +65,9 @@ pub struct CheckArguments {
     /// Exit with 1 for undecidable maps too
     #[arg(long)]
     strict: bool,
+    /// Show every seam and every note
+    #[arg(short, long)]
+    verbose: bool,
     /// Print the report as JSON
     #[arg(long)]
     json: bool,
@@ -113,7 +116,7 @@ fn check_one(name: String, skybox: Result<Skybox>, arguments: &CheckArguments) -
     match checked {
         Ok(check) => {
             if !arguments.json {
-                print(CheckReport::new(name, &check));
+                show(&CheckReport::new(name, &check).page(arguments.verbose));
             }
             Ok(outcome(check.verdict, arguments.strict))
         }
@@ -160,38 +163,23 @@ fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome
         }
         let check = (map.display().to_string(), checked);
         if !arguments.json {
-            print(format_args!("{}\n", line(&check)));
+            show(&map_line(&check));
         }
         checks.push(check);
     }
-    let Totals { fits, broken, undecidable, failed } = Totals::of(&checks);
+    let totals = Totals::of(&checks);
     if arguments.json {
         print(format_args!("{}\n", check_json(&checks)));
     } else {
-        let count = counted(maps.len());
-        print(format_args!(
-            "{count}: {fits} fit, {broken} broken, {undecidable} undecidable, {failed} could not be checked\n"
-        ));
+        show(&totals_line(&totals));
     }
+    let Totals { broken, undecidable, failed, .. } = totals;
     let damaged = checks.iter().filter(|(_, checked)| checked.as_ref().is_err_and(Error::is_damage)).count();
     if failed > damaged {
-        return Err(Error::new(format!("{failed} of {} could not be checked", counted(maps.len()))));
+        return Err(Error::new(format!("{failed} of {} could not be checked", counted_maps(maps.len()))));
     }
     let faults = broken > 0 || damaged > 0 || (arguments.strict && undecidable > 0);
     Ok(if faults { Outcome::Faults } else { Outcome::Clean })
-}
-
-/// `1 map`, `2 maps`.
-fn counted(maps: usize) -> String {
-    format!("{maps} map{}", if maps == 1 { "" } else { "s" })
-}
-
-/// The line of one of several maps.
-fn line((name, checked): &MapCheck) -> String {
-    match checked {
-        Ok(check) => CheckReport::new(name.clone(), check).line(),
-        Err(error) => format!("{name}: cannot be checked: {}", error.problem().lines().next().unwrap_or_default()),
-    }
 }
 
 fn outcome(verdict: Verdict, strict: bool) -> Outcome {

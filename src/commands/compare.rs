@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::options::{check_drawing_name, refuse_to_overwrite_sources};
-use super::terminal::{Outcome, leave_stdout_to, print};
+use super::terminal::{Outcome, leave_stdout_to, print, tell};
 use crate::compare::{Comparison, Verdict};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, read};
@@ -53,9 +53,9 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
     if arguments.json {
         print(format_args!("{}\n", report.to_json()));
     } else {
-        print(&report);
+        tell(&report);
         if let Some(output) = &arguments.output {
-            print(format_args!("wrote {}\n", output.display()));
+            tell(format_args!("wrote {}\n", output.display()));
         }
     }
     Ok(if report.verdict == Verdict::Differs { Outcome::Faults } else { Outcome::Clean })

@@ -11,7 +11,7 @@ use super::options::{
     PictureSize, SettingOverrides, check_pixel_count, parse_duration, refuse_folder_of, refuse_to_overwrite_sources,
 };
 use super::progress_bar::RenderBar;
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, print, tell};
 use crate::converge::{
     Comparison, Configuration, Protocol, Schedule, Variant, Variation, Watch, Work, converge, variants,
 };
@@ -119,8 +119,8 @@ pub fn run(arguments: &ConvergeArguments) -> Result<Outcome> {
     if arguments.json {
         print(format_args!("{}\n", report.to_json()));
     } else {
-        print(&report);
-        print(format_args!("wrote {} to {}\n", FILES.join(", "), folder.display()));
+        tell(&report);
+        tell(format_args!("wrote {} to {}\n", FILES.join(", "), folder.display()));
     }
     Ok(if report.stopped { Outcome::Interrupted } else { Outcome::Clean })
 }

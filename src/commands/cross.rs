@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::map_options::{OpenMap, ViewOptions};
 use super::options::{check_drawing_name, refuse_source_folder, refuse_to_overwrite_sources};
-use super::terminal::{Outcome, leave_stdout_to, print};
+use super::terminal::{Outcome, leave_stdout_to, tell};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
@@ -51,12 +51,12 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     }
     drawing.write(&arguments.output)?;
     if let Some(assumption) = assumption {
-        print(format_args!("{assumption}\n"));
+        tell(format_args!("{assumption}\n"));
     }
     if arguments.fixed && check.fix.changes == 0 {
-        print(format_args!("{}; drawn once\n", nothing_to_fix(&check)));
+        tell(format_args!("{}; drawn once\n", nothing_to_fix(&check)));
     }
-    print(format_args!("wrote {}: {} x {} pixels\n", arguments.output.display(), drawing.width(), drawing.height()));
+    tell(format_args!("wrote {}: {} x {} pixels\n", arguments.output.display(), drawing.width(), drawing.height()));
     Ok(Outcome::Clean)
 }
 

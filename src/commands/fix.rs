@@ -7,7 +7,7 @@ use clap::Args;
 use super::check::ValidationOptions;
 use super::options::{refuse_shared_images, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::refuse_rivals;
-use super::terminal::{Outcome, print, remark};
+use super::terminal::{Outcome, print, remark, tell};
 use crate::envmap::Orientation;
 use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
@@ -87,10 +87,10 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     make_folder(folder)?;
     write_together(files.iter().map(|file| (file.target.as_path(), file.bytes.as_slice())))?;
     for file in &files {
-        print(format_args!("wrote {}: {}\n", file.target.display(), file.what));
+        tell(format_args!("wrote {}: {}\n", file.target.display(), file.what));
     }
     for sentence in check.fix.story.sentences() {
-        print(format_args!("{sentence}\n"));
+        tell(format_args!("{sentence}\n"));
     }
     Ok(())
 }

@@ -5,11 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::engine_option::EngineOption;
-use super::terminal::{Outcome, print};
+use super::progress_bar::Spinner;
+use super::terminal::{Outcome, print, tell};
 use crate::envmap::source::Skybox;
-use crate::envmap::{Face, Preset, SignedAxis, World};
+use crate::envmap::{Face, Lookup, Preset, SignedAxis, World};
 use crate::error::{Error, Result};
-use crate::grade::{GradeVerdict, Grader, ShotFrame};
+use crate::grade::{Grade, GradeVerdict, Grader, ShotFrame};
 use crate::picture::{Picture, read};
 use crate::render::AxisShot;
 use crate::report::{CodeLanguage, GradeReport, lookup_code};
@@ -49,14 +50,9 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
     let skybox = Skybox::open_lenient(&arguments.map)?;
     let lookup = engine.lookup(given, "course", &skybox)?;
     let world_up = arguments.world_up.or(engine.world_up()).unwrap_or_else(|| Preset::usual_up_of(&lookup_name));
-    let shots = read_shots(&arguments.shots)?;
-    let map = load(&skybox, lookup)?;
-    let frames = AxisShot::all(World { up: world_up, handedness: lookup.handedness() }).map(|shot| ShotFrame {
-        face: shot.direction,
-        right: shot.right(),
-        up: shot.up,
-    });
-    let grade = Grader::new(&map, frames)?.grade(&shots);
+    let spinner = Spinner::new("grading");
+    let grade = grade(&skybox, &arguments.shots, lookup, world_up).inspect_err(|_| spinner.finish())?;
+    spinner.finish();
     let name =
         arguments.map.file_name().map_or_else(|| arguments.map.display().to_string(), |n| n.display().to_string());
     let report = GradeReport {
@@ -67,13 +63,25 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
         table: lookup,
         world_up,
     };
-    print(match arguments.code {
-        Some(language) => lookup_code(&lookup, &grade.lookup_of_code(&lookup), language),
-        None if arguments.json => format!("{}\n", report.to_json()),
-        None => report.to_string(),
-    });
+    match arguments.code {
+        Some(language) => print(lookup_code(&lookup, &grade.lookup_of_code(&lookup), language)),
+        None if arguments.json => print(format_args!("{}\n", report.to_json())),
+        None => tell(&report),
+    }
     let clean = matches!(grade.verdict(), GradeVerdict::Right | GradeVerdict::Undecided);
     Ok(if clean { Outcome::Clean } else { Outcome::Faults })
+}
+
+/// Reads the images and the shots, and grades them.
+fn grade(skybox: &Skybox, shots: &Path, lookup: Lookup, world_up: SignedAxis) -> Result<Grade> {
+    let shots = read_shots(shots)?;
+    let map = load(skybox, lookup)?;
+    let frames = AxisShot::all(World { up: world_up, handedness: lookup.handedness() }).map(|shot| ShotFrame {
+        face: shot.direction,
+        right: shot.right(),
+        up: shot.up,
+    });
+    Ok(Grader::new(&map, frames)?.grade(&shots))
 }
 
 /// The six shots in the order of [`Face::ALL`].

@@ -6,6 +6,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
+use super::progress_bar;
 use crate::picture::between_writes;
 
 static WATCHED: AtomicBool = AtomicBool::new(false);
@@ -16,7 +17,10 @@ pub fn handle() {
     let _ = ctrlc::set_handler(|| {
         let is_first = !REQUESTED.swap(true, Ordering::Relaxed);
         if !(is_first && WATCHED.load(Ordering::Relaxed)) {
-            between_writes(|| std::process::exit(130));
+            between_writes(|| {
+                progress_bar::clear();
+                std::process::exit(130)
+            });
         }
     });
     // A file over the limit that the shell sets is then an error of the write that meets it.

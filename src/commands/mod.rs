@@ -36,7 +36,7 @@ use skycube_tracer::take_notes;
 
 use crate::error::{Error, Result};
 pub use terminal::Outcome;
-use terminal::{lost_output, remark};
+use terminal::{choose_colours, lost_output, remark};
 
 /// A small, complete ray tracer for teaching, and a validator that says how to repair a skybox.
 #[derive(Debug, Parser)]
@@ -48,6 +48,9 @@ struct CommandLine {
     /// The memory limit, for instance 4G or 500M [default: three quarters of the free memory]
     #[arg(long, global = true, value_name = "BYTES", value_parser = options::parse_bytes)]
     memory: Option<u64>,
+    /// When to colour reports; auto: on a terminal, unless NO_COLOR is set
+    #[arg(long, global = true, value_name = "WHEN", value_enum, default_value = "auto")]
+    color: clap::ColorChoice,
 }
 
 #[derive(Debug, Subcommand)]
@@ -91,6 +94,7 @@ enum Command {
 pub fn run() -> ExitCode {
     let matches = help::with_examples(CommandLine::command()).get_matches();
     let arguments = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    choose_colours(arguments.color);
     interrupt::handle();
     if let Some(bytes) = arguments.memory {
         set_memory_budget(bytes);

@@ -4,7 +4,7 @@ use clap::Args;
 
 use super::map_options::MapOptions;
 use super::options::parse_three;
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, print, tell};
 use crate::envmap::{CubeFilter, CubeMap, Face, Probe};
 use crate::error::Result;
 use crate::math::Vec3;
@@ -43,10 +43,10 @@ pub fn run(arguments: &ProbeArguments) -> Result<Outcome> {
         print(format_args!("{}\n", before.to_json()));
         return Ok(Outcome::Clean);
     }
-    print(format_args!("{before}"));
+    tell(&before);
     match &after {
-        Some(after) => print(format_args!("\n{after}")),
-        None => print(format_args!("\n{}\n", nothing_to_fix(&check))),
+        Some(after) => tell(format_args!("\n{after}")),
+        None => tell(format_args!("\n{}\n", nothing_to_fix(&check))),
     }
     Ok(Outcome::Clean)
 }

@@ -1,5 +1,6 @@
 //! The progress bar: on stderr, and only on a terminal.
 
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
@@ -26,7 +27,7 @@ pub struct RenderBar {
 const PAUSE: u64 = 50;
 
 impl RenderBar {
-    /// A bar for a count of samples. `indicatif` hides it where stderr is not a terminal.
+    /// A bar for a count of samples.
     pub fn new(samples: u64, what: &str) -> Self {
         Self::of_length(samples, what)
     }
@@ -37,12 +38,7 @@ impl RenderBar {
     }
 
     fn of_length(length: u64, what: &str) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(length), ProgressDrawTarget::stderr());
-        let style = ProgressStyle::with_template("{prefix} [{bar:30}] {percent}%  {msg}  {eta} left")
-            .expect("the template is valid")
-            .progress_chars("=> ");
-        bar.set_style(style);
-        bar.set_prefix(what.to_owned());
+        let bar = shown(Some(length), what, "{prefix} [{bar:30}] {percent}%  {msg}  {eta} left");
         let [samples, rays, next_rate] = [0; 3].map(AtomicU64::new);
         let hidden = bar.is_hidden();
         Self { bar, samples, rays, started: Instant::now(), next_rate, hidden, limit: None }
@@ -56,7 +52,14 @@ impl RenderBar {
         now >= due && claim().is_ok()
     }
 
-    /// One step of work that is not counted in rays.
+    /// The next step of work that is not counted in rays begins.
+    #[cfg(feature = "stress")]
+    pub fn begin(&self, step: &str) {
+        self.bar.set_message(step.to_owned());
+        keep_moving(&self.bar);
+    }
+
+    /// A step of such work is done.
     #[cfg(feature = "stress")]
     pub fn step(&self) {
         self.bar.inc(1);
@@ -65,6 +68,53 @@ impl RenderBar {
     /// Removes the bar from the terminal.
     pub fn finish(&self) {
         self.bar.finish_and_clear();
+    }
+}
+
+/// A line with the time spent, for work whose length is not known.
+pub struct Spinner(ProgressBar);
+
+impl Spinner {
+    /// Says what goes on.
+    pub fn new(what: &str) -> Self {
+        let bar = shown(None, what, "{spinner} {prefix}  {elapsed}");
+        keep_moving(&bar);
+        Self(bar)
+    }
+
+    /// Removes the line from the terminal.
+    pub fn finish(&self) {
+        self.0.finish_and_clear();
+    }
+}
+
+/// The bar that a Ctrl-C has to remove.
+static SHOWN: Mutex<Option<ProgressBar>> = Mutex::new(None);
+
+/// A bar on stderr. `indicatif` hides it where stderr is not a terminal.
+fn shown(length: Option<u64>, what: &str, template: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(length, ProgressDrawTarget::stderr());
+    bar.set_style(ProgressStyle::with_template(template).expect("the template is valid").progress_chars("=> "));
+    bar.set_prefix(what.to_owned());
+    if let Ok(mut shown) = SHOWN.lock() {
+        *shown = Some(bar.clone());
+    }
+    bar
+}
+
+/// Redraws a bar from time to time, so that the terminal shows it before the first step is done.
+fn keep_moving(bar: &ProgressBar) {
+    if !bar.is_hidden() {
+        bar.enable_steady_tick(Duration::from_millis(200));
+    }
+}
+
+/// Removes the bar from the terminal before the process ends in the middle of its work.
+pub fn clear() {
+    if let Ok(shown) = SHOWN.lock()
+        && let Some(bar) = &*shown
+    {
+        bar.finish_and_clear();
     }
 }
 

@@ -10,7 +10,7 @@ use super::options::{
     PictureOptions, PictureSize, SceneOverrides, check_pixel_count, parse_duration, refuse_to_overwrite_sources,
 };
 use super::progress_bar::RenderBar;
-use super::terminal::{Outcome, leave_stdout_to, print, remark};
+use super::terminal::{Outcome, leave_stdout_to, print, remark, tell};
 use crate::error::{Error, Result};
 use crate::limits::outside_limits;
 use crate::picture::{self, Extras, OutputFormat, check_target, is_standard_stream, write_atomically};
@@ -67,7 +67,11 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     let rendered = started.elapsed();
     pool.install(|| write(arguments, format, &scene, &rendering, &output))?;
     let report = RenderReport::new(&scene, &plan, &output, &rendering, [loaded, rendered, started.elapsed()]);
-    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    if arguments.json {
+        print(format_args!("{}\n", report.to_json()));
+    } else {
+        tell(&report);
+    }
     Ok(if rendering.stopped { Outcome::Interrupted } else { Outcome::Clean })
 }
 

@@ -9,7 +9,7 @@ use super::map_options::{OpenMap, ViewOptions};
 use super::options::{check_pixel_count, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::{refuse_pictures_of_others, refuse_rivals};
 use super::progress_bar::RenderBar;
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, tell};
 use crate::colour::ToneMap;
 use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis, World};
 use crate::error::Result;
@@ -65,13 +65,13 @@ pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
         plans.into_iter().map(|plan| take(arguments, &map, plan, world_up)).collect::<Result<_>>()?;
     write(arguments, &sets, &contact_sheets(&sets, &map.name, arguments.tone_map), &sheet_file)?;
     if let Some(assumption) = assumption {
-        print(format_args!("{assumption}\n"));
+        tell(format_args!("{assumption}\n"));
     }
     if let Some(reason) = without_fix {
-        print(format_args!("{reason}; one set of shots\n"));
+        tell(format_args!("{reason}; one set of shots\n"));
     }
-    sets.iter().for_each(|set| print(format_args!("{}", set.report)));
-    print(format_args!("\nwrote {}\n", sheet_file.display()));
+    sets.iter().for_each(|set| tell(format_args!("{}", set.report)));
+    tell(format_args!("\nwrote {}\n", sheet_file.display()));
     Ok(Outcome::Clean)
 }
 

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::progress_bar::RenderBar;
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, print, show};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, write_atomically};
 use crate::report::{StressReport, draw_stress};
@@ -40,6 +40,7 @@ pub fn run(arguments: &StressArguments) -> Result<Outcome> {
     }
     let bar = RenderBar::new(chosen.len() as u64, "measuring");
     let measured = |subject: Subject| {
+        bar.begin(subject.name);
         let case = subject.measured(effort);
         bar.step();
         case
@@ -47,7 +48,11 @@ pub fn run(arguments: &StressArguments) -> Result<Outcome> {
     let cases: Vec<Case> = chosen.into_iter().map(measured).collect();
     bar.finish();
     let report = StressReport { cases: &cases, effort, steps: arguments.case.is_some() };
-    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    if arguments.json {
+        print(format_args!("{}\n", report.to_json()));
+    } else {
+        show(&report.page());
+    }
     if let Some(file) = &arguments.plot {
         draw(&cases, file)?;
     }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::options::{PictureSize, SceneOverrides};
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, print, tell};
 use crate::PixelTrace;
 use crate::error::{Error, Result};
 use crate::report::TraceReport;
@@ -43,7 +43,11 @@ pub fn run(arguments: &TraceArguments) -> Result<Outcome> {
     let trace = pool.install(|| PixelTrace::of(&scene, &plan, arguments.pixel, arguments.sample))?;
     let file = arguments.scene.display().to_string();
     let report = TraceReport { trace: &trace, scene: &scene, plan: &plan, file: &file };
-    print(if arguments.json { format!("{}\n", report.to_json()) } else { report.to_string() });
+    if arguments.json {
+        print(format_args!("{}\n", report.to_json()));
+    } else {
+        tell(&report);
+    }
     Ok(Outcome::Clean)
 }
 

@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::map_options::ViewOptions;
 use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
-use super::terminal::{Outcome, print};
+use super::terminal::{Outcome, tell};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, folder_of, write_atomically};
 use crate::report::{ViewInput, view_page};
@@ -43,8 +43,8 @@ pub fn run(arguments: &ViewArguments) -> Result<Outcome> {
     let page = view_page(&ViewInput { name: &map.name, map: &cube_map, check: &check, world_up, limit })?;
     write_atomically(&output, page.as_bytes())?;
     if let Some(assumption) = assumption {
-        print(format_args!("{assumption}\n"));
+        tell(format_args!("{assumption}\n"));
     }
-    print(format_args!("wrote {}: {} under the lookup {}\n", output.display(), check.verdict.name(), map.lookup_name));
+    tell(format_args!("wrote {}: {} under the lookup {}\n", output.display(), check.verdict.name(), map.lookup_name));
     Ok(Outcome::Clean)
 }

@@ -10,6 +10,7 @@ mod grade;
 mod grouped;
 mod json;
 mod lessons;
+mod page;
 mod probe;
 mod render;
 mod shots;
@@ -18,15 +19,16 @@ mod stress;
 mod trace;
 mod view;
 
-pub use check::{CheckReport, MapCheck, check_json};
+pub use check::{CheckReport, MapCheck, Totals, check_json, map_line, totals_line};
 pub use compare::{CompareReport, Metric, draw_comparison};
 pub use converge::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
 pub use drawing::{Anchor, Drawing, draw_compass_face, text_path};
 pub use grade::GradeReport;
+pub use page::{Column, Look, Meaning, Page, Span, Table};
 #[cfg(feature = "stress")]
 pub use stress::StressReport;
 
-pub(crate) use check::{Totals, nothing_to_fix};
+pub(crate) use check::{counted_maps, nothing_to_fix};
 pub(crate) use code::{CodeLanguage, lookup_code};
 pub(crate) use drawing::{CaptionedShot, CrossInput, draw_contact_sheet, draw_cross};
 pub(crate) use lessons::{lesson_list, lesson_page, lesson_started};

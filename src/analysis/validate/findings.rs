@@ -2,7 +2,7 @@
 
 use serde::{Serialize, Serializer};
 
-use super::note::Note;
+use super::note::{Note, PictureNames};
 use super::outlier::Outlier;
 use super::seam::Seam;
 use super::search::arrangement::Arrangement;
@@ -124,11 +124,15 @@ impl FaceFix {
 }
 
 impl Check {
+    /// The names of the files, for sentences.
+    pub fn file_names(&self) -> PictureNames {
+        let file = |image: Face| self.images[image.index()].file.clone();
+        PictureNames { images: Face::ALL.map(file), faces: self.fix.faces.map(|face| file(face.image)) }
+    }
+
     /// What no change repairs: faces that do not belong or have the wrong size.
     pub fn unrepaired(&self) -> Vec<&Note> {
-        let unrepaired =
-            |note: &&Note| matches!(note, Note::Outlier { .. } | Note::NotSquare { .. } | Note::Sizes { .. });
-        self.notes.iter().filter(unrepaired).collect()
+        self.notes.iter().filter(|note| note.is_beyond_repair()).collect()
     }
 
     /// True if all six images are square and of one size: no graphics library takes others as a cube map.

@@ -19,8 +19,8 @@ pub enum Note {
     },
     /// A 1-pixel frame, left out of the measure.
     Framed {
-        /// The image with the frame.
-        image: Face,
+        /// The images with the frame, in the order of [`Face::ALL`].
+        images: Vec<Face>,
     },
     /// Square images of different sizes.
     Sizes {
@@ -46,15 +46,15 @@ pub enum Note {
         /// By how many of 255 codes, on average; negative if darker.
         codes: f64,
     },
-    /// Two images with the same texels along all borders.
+    /// Images with the same texels along all borders.
     Identical {
         /// In the order of [`Face::ALL`].
-        images: [Face; 2],
+        images: Vec<Face>,
     },
-    /// One flat colour along all borders, about that in which its neighbours end: nobody can say how it lies.
+    /// One flat colour along all borders, about that in which the neighbours end: nobody can say how the image lies.
     Flat {
-        /// The flat image.
-        image: Face,
+        /// The flat images, in the order of [`Face::ALL`].
+        images: Vec<Face>,
     },
     /// The pixels do not determine every orientation.
     Undecided {
@@ -118,12 +118,39 @@ pub enum Note {
     },
 }
 
-fn names(faces: &[Face]) -> String {
-    match faces {
-        [] => "no face".to_owned(),
-        faces if faces.len() == 6 => "all six faces".to_owned(),
-        faces => faces.iter().map(|face| face.name()).collect::<Vec<_>>().join(", "),
+/// What a sentence calls images and faces.
+pub struct PictureNames {
+    /// Of each image, in the order of [`Face::ALL`].
+    pub images: [String; 6],
+    /// Of what each face shows after the fix.
+    pub faces: [String; 6],
+}
+
+impl PictureNames {
+    /// `posx` ... `negz`.
+    fn of_faces() -> Self {
+        let names = Face::ALL.map(|face| face.name().to_owned());
+        Self { images: names.clone(), faces: names }
     }
+}
+
+/// `posx.jpg, negx.jpg and posy.jpg`.
+pub fn joined(parts: &[String]) -> String {
+    match parts {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// The names of pictures, or `all six pictures`.
+pub fn listed(names: &[String]) -> String {
+    if names.len() == 6 { "all six pictures".to_owned() } else { joined(names) }
+}
+
+/// The word for one, or for several.
+fn either<T>(faces: &[Face], one: T, several: T) -> T {
+    if faces.len() == 1 { one } else { several }
 }
 
 /// As its sentence.
@@ -135,66 +162,75 @@ impl serde::Serialize for Note {
 
 impl fmt::Display for Note {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(&self.sentence(&PictureNames::of_faces()))
+    }
+}
+
+impl Note {
+    /// True if it names a picture that no change of the lookup repairs.
+    pub fn is_beyond_repair(&self) -> bool {
+        matches!(self, Self::Outlier { .. } | Self::NotSquare { .. } | Self::Sizes { .. })
+    }
+
+    /// The note as a sentence, without its full stop.
+    pub fn sentence(&self, names: &PictureNames) -> String {
+        let of = |names: &[String; 6], faces: &[Face]| {
+            listed(&faces.iter().map(|face| names[face.index()].clone()).collect::<Vec<_>>())
+        };
+        let (images, faces) = (|images: &[Face]| of(&names.images, images), |faces: &[Face]| of(&names.faces, faces));
         match self {
             Self::Outlier { face, file, reason } => {
-                write!(formatter, "{} ({file}) does not belong here: {}", face.name(), why_outlier(*reason))
+                format!("{} ({file}) does not belong here: {}", face.name(), why_outlier(*reason, names))
             }
-            Self::Framed { image } => {
-                write!(formatter, "{} has a frame one texel wide; the texels inside it were compared", image.name())
+            Self::Framed { images: framed } => {
+                let have = either(framed, "has", "have");
+                format!("{} {have} a frame one texel wide; the texels inside it were compared", images(framed))
             }
-            Self::Sizes { smallest, largest } => write!(
-                formatter,
+            Self::Sizes { smallest, largest } => format!(
                 "the images differ in size, from {smallest} to {largest} texels: no graphics library takes this as a cube map"
             ),
-            Self::NotSquare { images } => {
-                let are = if images.len() == 1 { "is" } else { "are" };
-                write!(formatter, "{} {are} not square: no graphics library takes this as a cube map", names(images))
+            Self::NotSquare { images: unsquare } => {
+                let are = either(unsquare, "is", "are");
+                format!("{} {are} not square: no graphics library takes this as a cube map", images(unsquare))
             }
-            Self::Alpha { images } => write!(formatter, "alpha channel in {}: ignored", names(images)),
-            Self::Exposure { image, codes } => formatter.write_str(&exposed(*image, *codes)),
-            Self::Identical { images: [one, other] } => {
-                write!(formatter, "{} and {} are the same along all their borders", one.name(), other.name())
+            Self::Alpha { images: transparent } => format!("alpha channel in {}: ignored", images(transparent)),
+            Self::Exposure { image, codes } => exposed(&names.images[image.index()], *codes),
+            Self::Identical { images: identical } => {
+                format!("{} are the same along all their borders", images(identical))
             }
-            Self::Flat { image } => {
-                let name = image.name();
-                write!(formatter, "{name} is one flat colour along its borders: it looks the same in any orientation")
+            Self::Flat { images: flat } => {
+                let (are, they) = either(flat, ("is", "it looks"), ("are each", "they look"));
+                format!("{} {are} one flat colour along the borders: {they} the same in any orientation", images(flat))
             }
-            Self::Undecided { faces } => {
-                write!(formatter, "undecided: the pixels do not determine the orientation of {}", names(faces))
+            Self::Undecided { faces: undecided } => {
+                format!("undecided: the pixels do not determine the orientation of {}", faces(undecided))
             }
-            Self::Doubtful { faces } => write!(
-                formatter,
+            Self::Doubtful { faces: doubtful } => format!(
                 "{} would fit better with another orientation or picture, but the pixels do not decide",
-                names(faces)
+                faces(doubtful)
             ),
-            Self::Rough { seams, step, after_the_fix } => {
-                formatter.write_str(&rough_seams(*seams, *step, *after_the_fix))
-            }
+            Self::Rough { seams, step, after_the_fix } => rough_seams(*seams, *step, *after_the_fix),
             Self::Open { seams, step, after_the_fix } => {
                 let when = if *after_the_fix { " after the fix too" } else { "" };
                 let stay = if *seams == 1 { "stays" } else { "stay" };
-                write!(
-                    formatter,
+                format!(
                     "{seams} of 12 seams {stay} open{when} (mean step {step:.1} of 255): the pixels do not show how \
                      to close them"
                 )
             }
             Self::Unnamed { numbered } => {
-                let names = if *numbered { "numbers" } else { "names" };
-                write!(
-                    formatter,
-                    "the {names} of the files do not identify the faces: assigned to +X -X +Y -Y +Z -Z in this order, \
+                let what = if *numbered { "numbers" } else { "names" };
+                format!(
+                    "the {what} of the files do not identify the faces: assigned to +X -X +Y -Y +Z -Z in this order, \
                      then sorted by their pixels"
                 )
             }
-            Self::Mirrored { faces, after, changes } => {
-                formatter.write_str(&mirrored(faces, after, *changes && faces != after))
-            }
+            Self::Mirrored { faces, after, changes } => mirrored(faces, after, *changes && faces != after),
             Self::AssumedUp { up, lookup } => {
-                write!(formatter, "assumed a world with {up} up, for the lookup {lookup}; --world-up changes this")
+                format!("assumed a world with {up} up, for the lookup {lookup}; --world-up changes this")
             }
             Self::Sky { sky, up, there, after_the_fix } => {
-                formatter.write_str(&sky_place(*sky, *up, *there, *after_the_fix))
+                sky_place(&names.images[sky.index()], *up, *there, *after_the_fix)
             }
         }
     }
@@ -218,29 +254,39 @@ fn rough_seams(seams: usize, step: f64, after_the_fix: bool) -> String {
 const ROUGH_REASONS: &str = "the faces were exposed, framed or compressed separately, the ground is coarse, or an \
                              edge of the scene lies along the seam";
 
-fn why_outlier(reason: Reason) -> String {
+/// Why a picture does not belong to the map.
+pub fn why_outlier(reason: Reason, names: &PictureNames) -> String {
     match reason {
         Reason::Flat => "it is one flat colour that its four neighbours do not continue".to_owned(),
-        Reason::CopyOf(other) => format!("it holds the same picture as {}", other.name()),
+        Reason::CopyOf(other) => format!("it holds the same picture as {}", names.images[other.index()]),
         Reason::AnotherScene => {
             "its borders fit no neighbour in any orientation: the picture shows another scene".to_owned()
         }
     }
 }
 
-fn exposed(image: Face, codes: f64) -> String {
+fn exposed(name: &str, codes: f64) -> String {
     let how = if codes > 0.0 { "brighter" } else { "darker" };
-    let (name, codes) = (image.name(), codes.abs());
+    let codes = codes.abs();
     format!("{name} is {how} than all its neighbours, by {codes:.1} of 255 on average: another exposure")
+}
+
+/// Faces of a lookup, whatever files they read.
+fn face_names(faces: &[Face]) -> String {
+    match faces {
+        [] => "no face".to_owned(),
+        faces if faces.len() == 6 => "all six faces".to_owned(),
+        faces => faces.iter().map(|face| face.name()).collect::<Vec<_>>().join(", "),
+    }
 }
 
 /// Which faces are mirrored now and, if that changes, after the fix.
 fn mirrored(now: &[Face], after: &[Face], changes: bool) -> String {
-    let now = names(now);
+    let now = face_names(now);
     if !changes {
         return format!("a right-handed world sees {now} mirrored; this follows from the table alone");
     }
-    let after = names(after);
+    let after = face_names(after);
     format!(
         "a right-handed world sees {now} mirrored now, and {after} after the fix if the pictures are unflipped \
          photographs (if they were flipped, the handedness stays: seams cannot tell); this follows from the table \
@@ -248,8 +294,7 @@ fn mirrored(now: &[Face], after: &[Face], changes: bool) -> String {
     )
 }
 
-fn sky_place(sky: Face, up: SignedAxis, there: bool, after_the_fix: bool) -> String {
-    let sky = sky.name();
+fn sky_place(sky: &str, up: SignedAxis, there: bool, after_the_fix: bool) -> String {
     let when = when(after_the_fix);
     if there {
         return format!("the sky seems to be {sky}: at the declared up axis {up}{when}");

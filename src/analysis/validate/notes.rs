@@ -91,22 +91,39 @@ fn sizes(check: &Check, notes: &mut Vec<Note>) {
     }
 }
 
+/// What single pictures are like.
 fn pictures(check: &Check, borders: &Borders, notes: &mut Vec<Note>) {
-    notes.extend(
-        Face::ALL.into_iter().filter(|image| borders[image.index()].framed).map(|image| Note::Framed { image }),
-    );
-    for (one, other) in (0..6).flat_map(|one| (one + 1..6).map(move |other| (one, other))) {
-        if borders[one].holds_the_same(&borders[other]) {
-            notes.push(Note::Identical { images: [Face::ALL[one], Face::ALL[other]] });
-        }
+    let framed: Vec<Face> = Face::ALL.into_iter().filter(|image| borders[image.index()].framed).collect();
+    if !framed.is_empty() {
+        notes.push(Note::Framed { images: framed });
     }
     let outlier = |image: Face| check.outliers.iter().any(|one| check.fix.faces[one.face.index()].image == image);
-    let flat = Face::ALL.into_iter().filter(|&image| borders[image.index()].is_flat() && !outlier(image));
-    notes.extend(flat.map(|image| Note::Flat { image }));
+    let flat = |image: Face| borders[image.index()].is_flat() && !outlier(image);
+    let flat: Vec<Face> = Face::ALL.into_iter().filter(|&image| flat(image)).collect();
+    // Flat pictures look alike, which is said once.
+    let same = |one: Face, other: Face| borders[one.index()].holds_the_same(&borders[other.index()]);
+    let identical = groups(same).into_iter().filter(|group| !group.iter().all(|image| flat.contains(image)));
+    notes.extend(identical.map(|images| Note::Identical { images }));
+    if !flat.is_empty() {
+        notes.push(Note::Flat { images: flat });
+    }
     let alpha: Vec<Face> = check.images.iter().filter(|facts| facts.alpha).map(|facts| facts.face).collect();
     if !alpha.is_empty() {
         notes.push(Note::Alpha { images: alpha });
     }
+}
+
+/// The images that are the same as the first of their group, in groups of two and more.
+fn groups(same: impl Fn(Face, Face) -> bool) -> Vec<Vec<Face>> {
+    let mut groups: Vec<Vec<Face>> = Vec::new();
+    for image in Face::ALL {
+        match groups.iter_mut().find(|group| same(group[0], image)) {
+            Some(group) => group.push(image),
+            None => groups.push(vec![image]),
+        }
+    }
+    groups.retain(|group| group.len() > 1);
+    groups
 }
 
 /// Seams that are rough although the map fits, or would once it is fixed; and those that a fix leaves open.

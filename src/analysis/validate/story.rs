@@ -35,7 +35,7 @@ impl Story {
             order: order.convention,
             cost: cost_on(order, arrangement, free_names),
             edited: Face::ALL.into_iter().filter(|face| edit(face) > 0).collect(),
-            exchanged: rings(&order.arrangement, arrangement),
+            exchanged: rings(&order.arrangement.images, &arrangement.images),
         }
     }
 
@@ -59,7 +59,7 @@ fn cost_on(order: &Order, arrangement: &Arrangement, free_names: bool) -> u32 {
     if has_too_many(edited) {
         return u32::MAX;
     }
-    let rings = rings(&order.arrangement, arrangement);
+    let rings = rings(&order.arrangement.images, &arrangement.images);
     if has_too_many(edited + rings.len()) {
         return u32::MAX;
     }
@@ -93,18 +93,19 @@ fn edit_cost(from: Orientation, to: Orientation) -> u32 {
     }
 }
 
-/// The images that are read in other places in the second arrangement than in the first, as rings.
-fn rings(from: &Arrangement, to: &Arrangement) -> Vec<Vec<Face>> {
+/// The images that are read in other places in the second table than in the first, as rings: the face that used to read one
+/// reads the next.
+pub fn rings(from: &[Face; 6], to: &[Face; 6]) -> Vec<Vec<Face>> {
     let mut seen = [false; 6];
     let mut rings = Vec::new();
-    for start in Face::ALL {
+    for start in 0..6 {
         let mut ring = Vec::new();
         let mut face = start;
-        while !seen[face.index()] {
-            seen[face.index()] = true;
-            ring.push(from.images[face.index()]);
+        while !seen[face] {
+            seen[face] = true;
+            ring.push(from[face]);
             // The face that used to read what this one reads now.
-            face = from.face_of(to.images[face.index()]).unwrap_or(face);
+            face = from.iter().position(|&image| image == to[face]).unwrap_or(face);
         }
         if ring.len() > 1 {
             let first = (0..ring.len()).min_by_key(|&index| ring[index]).unwrap_or(0);
@@ -166,15 +167,22 @@ impl serde::Serialize for Story {
 /// What to exchange, and who mixes these two up.
 fn exchange(ring: &[Face]) -> String {
     let names: Vec<&str> = ring.iter().map(|face| face.name()).collect();
-    let why = match ring {
-        [Face::PosX, Face::NegX] => ": left and right, as in sets made for Unity or Godot",
-        [Face::PosY, Face::NegY] => ": top and bottom",
-        [Face::PosZ, Face::NegZ] => ": front and back, as in right-handed sets",
-        _ => "",
-    };
     match names[..] {
-        [one, other] => format!("exchange {one} and {other}{why}"),
+        [one, other] => match exchange_reason(ring) {
+            Some(why) => format!("exchange {one} and {other}: {why}"),
+            None => format!("exchange {one} and {other}"),
+        },
         _ => format!("exchange {} in a cycle: each takes the picture of the next", names.join(", ")),
+    }
+}
+
+/// What two images are that people mix up, and who does.
+pub fn exchange_reason(ring: &[Face]) -> Option<&'static str> {
+    match ring {
+        [Face::PosX, Face::NegX] => Some("left and right, as in sets made for Unity or Godot"),
+        [Face::PosY, Face::NegY] => Some("top and bottom"),
+        [Face::PosZ, Face::NegZ] => Some("front and back, as in right-handed sets"),
+        _ => None,
     }
 }
 

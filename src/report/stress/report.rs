@@ -6,6 +6,7 @@ use clap::ValueEnum;
 use serde_json::{Value, json};
 
 use super::super::json::to_json;
+use super::super::page::{Column, Look, Meaning, Page, Span, Table};
 use crate::limits::Range;
 use crate::stress::{Case, Effort, Group, Verdict};
 
@@ -19,11 +20,16 @@ pub struct StressReport<'a> {
     pub steps: bool,
 }
 
-/// The text of a line, in columns.
-type Row = [String; 7];
-
-/// What the columns are called.
-const HEADINGS: [&str; 7] = ["case", "what is swept", "within bound", "bound", "worst", "with", ""];
+/// The columns, and how much each matters where the terminal is narrow.
+const COLUMNS: [Column; 7] = [
+    Column { heading: "case", to_the_right: false, weight: 4 },
+    Column { heading: "what is swept", to_the_right: false, weight: 2 },
+    Column { heading: "within bound", to_the_right: false, weight: 3 },
+    Column { heading: "bound", to_the_right: false, weight: 2 },
+    Column { heading: "worst", to_the_right: true, weight: 3 },
+    Column { heading: "with", to_the_right: false, weight: 1 },
+    Column { heading: "", to_the_right: false, weight: 4 },
+];
 
 /// Longest text of the column of inputs.
 const INPUT_WIDTH: usize = 24;
@@ -34,76 +40,85 @@ impl StressReport<'_> {
         let cases: Vec<Value> = self.cases.iter().map(case_json).collect();
         to_json("stress", &json!({ "rays": self.effort.rays, "cases": cases }))
     }
+}
 
-    fn write_steps(&self, formatter: &mut fmt::Formatter<'_>, case: &Case) -> fmt::Result {
-        let subject = &case.subject;
-        writeln!(formatter, "\n{}: error of {}", subject.name, subject.error)?;
-        writeln!(formatter, "  {:>12}  {:>10}  with", "at", "error")?;
-        for step in &case.measurements {
-            let mark = match (step.error <= subject.bound, subject.promised.holds(step.magnitude)) {
-                (true, _) => "",
-                (false, true) => "  beyond the bound",
-                (false, false) => "  beyond the bound, and not promised",
-            };
-            let (at, error) = (short(step.magnitude), short(step.error));
-            writeln!(formatter, "  {at:>12}  {error:>10}  {}{mark}", step.input)?;
+impl StressReport<'_> {
+    /// The report as it is printed.
+    pub fn page(&self) -> Page {
+        let mut page = Page::default();
+        page.table(self.table());
+        if self.steps {
+            let mut steps = String::new();
+            self.cases.iter().for_each(|case| write_steps(&mut steps, case));
+            page.append(Page::of_text(&steps));
         }
-        Ok(())
+        page.append(Page::of_text(&summary(self.cases)));
+        page
+    }
+
+    /// A line for each case, under the title of its group.
+    fn table(&self) -> Table {
+        let mut rows = Vec::new();
+        for &group in Group::value_variants() {
+            let mut members = self.cases.iter().filter(|case| case.subject.group == group).peekable();
+            if members.peek().is_some() {
+                let title = std::iter::once(group.title()).chain(std::iter::repeat(String::new()));
+                rows.push(title.take(COLUMNS.len()).map(|word| (Meaning::Plain, word)).collect());
+            }
+            rows.extend(members.map(row));
+        }
+        Table { indent: 0, columns: COLUMNS.to_vec(), rows }
     }
 }
 
+/// Without colours.
 impl fmt::Display for StressReport<'_> {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let rows: Vec<Row> = self.cases.iter().map(row).collect();
-        let headings = HEADINGS.map(str::to_owned);
-        let width = |column: usize| rows.iter().chain([&headings]).map(|row| row[column].chars().count()).max();
-        let widths: [usize; 7] = std::array::from_fn(|column| width(column).unwrap_or(0));
-        formatter.write_str(&line("", &headings, &widths))?;
-        for &group in Group::value_variants() {
-            let mut members = self.cases.iter().zip(&rows).filter(|(case, _)| case.subject.group == group).peekable();
-            if members.peek().is_some() {
-                writeln!(formatter, "{}", group.title())?;
-            }
-            for (_, row) in members {
-                formatter.write_str(&line("  ", row, &widths))?;
-            }
-        }
-        if self.steps {
-            self.cases.iter().try_for_each(|case| self.write_steps(formatter, case))?;
-        }
-        formatter.write_str(&summary(self.cases))
+        formatter.write_str(&self.page().shown(Look::default()))
     }
 }
 
-fn line(indent: &str, row: &Row, widths: &[usize; 7]) -> String {
-    let mut text = indent.to_owned();
-    let first = widths[0] + 2 - indent.len();
-    let _ = write!(text, "{:<first$}", row[0]);
-    for (column, cell) in row.iter().enumerate().skip(1) {
-        // Figures stand to the right of their column, words to the left.
-        let width = widths[column];
-        let _ = if column == 4 { write!(text, "  {cell:>width$}") } else { write!(text, "  {cell:<width$}") };
-    }
-    format!("{}\n", text.trim_end())
-}
-
-fn row(case: &Case) -> Row {
+fn row(case: &Case) -> Vec<Span> {
     let (subject, worst) = (&case.subject, case.worst());
     let bound = format!("{} {}", short(subject.bound), subject.unit);
-    [
-        subject.name.to_owned(),
+    let (meaning, verdict) = match case.verdict() {
+        Verdict::Holds => (Meaning::Fits, "holds"),
+        Verdict::Ends => (Meaning::Undecidable, "ends"),
+        Verdict::Fails => (Meaning::Broken, "FAILS"),
+    };
+    let words = [
+        format!("  {}", subject.name),
         subject.swept.to_owned(),
         case.range().map_or("nowhere".to_owned(), range),
         bound.trim_end().to_owned(),
         short(worst.error),
-        if worst.error == 0.0 { "-".to_owned() } else { worst.input.chars().take(INPUT_WIDTH).collect() },
-        match case.verdict() {
-            Verdict::Holds => "holds",
-            Verdict::Ends => "ends",
-            Verdict::Fails => "FAILS",
-        }
-        .to_owned(),
-    ]
+        if worst.error == 0.0 { "-".to_owned() } else { shortened(&worst.input) },
+    ];
+    words.into_iter().map(|word| (Meaning::Plain, word)).chain([(meaning, verdict.to_owned())]).collect()
+}
+
+/// The beginning of a long text, with an ellipsis.
+fn shortened(text: &str) -> String {
+    if text.chars().count() <= INPUT_WIDTH {
+        return text.to_owned();
+    }
+    text.chars().take(INPUT_WIDTH - 1).chain(['…']).collect()
+}
+
+/// Every step of a sweep.
+fn write_steps(text: &mut String, case: &Case) {
+    let subject = &case.subject;
+    let _ = writeln!(text, "\n{}: error of {}", subject.name, subject.error);
+    let _ = writeln!(text, "  {:>12}  {:>10}  with", "at", "error");
+    for step in &case.measurements {
+        let mark = match (step.error <= subject.bound, subject.promised.holds(step.magnitude)) {
+            (true, _) => "",
+            (false, true) => "  beyond the bound",
+            (false, false) => "  beyond the bound, and not promised",
+        };
+        let (at, error) = (short(step.magnitude), short(step.error));
+        let _ = writeln!(text, "  {at:>12}  {error:>10}  {}{mark}", step.input);
+    }
 }
 
 /// What the words mean, and how it ended.

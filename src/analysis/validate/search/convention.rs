@@ -101,6 +101,37 @@ impl Convention {
         }
     }
 
+    /// The lookup to use instead, if the convention has one.
+    pub fn preset(self) -> Option<Preset> {
+        match self {
+            Self::Opengl => Some(Preset::Opengl),
+            Self::Course => Some(Preset::Course),
+            Self::HumusZUp => Some(Preset::HumusZUp),
+            Self::HumusYUp => Some(Preset::HumusYUp),
+            Self::BottomUp | Self::Mirrored | Self::OpenExr | Self::Quake | Self::Unity => None,
+            Self::ZUp | Self::ZUpRightHanded | Self::FrontFirst | Self::Optifine => None,
+        }
+    }
+
+    /// What these files are, as a sentence without its full stop.
+    pub fn reason(self) -> &'static str {
+        match self {
+            Self::BottomUp => "all six flipped top-bottom: these files were made for bottom-up upload",
+            Self::Mirrored => "all six flipped left-right: these files were made for the opposite handedness",
+            Self::Opengl => "these files follow OpenGL's convention",
+            Self::Course => "these files follow the course's convention for a z-up world",
+            Self::HumusZUp => "a y-up download in a z-up world",
+            Self::HumusYUp => "a y-up download seen along -z",
+            Self::OpenExr => "OpenEXR's convention: +Z and -Z change places",
+            Self::Quake => "Quake's convention: front is +X, back -X, right +Z, left -Z",
+            Self::Unity => "Unity's convention: left is +X, right -X",
+            Self::ZUp => "these files are named for a world with z up: posz is the top",
+            Self::ZUpRightHanded => "these files are named for a right-handed world with z up: posz is the top",
+            Self::Optifine => "OptiFine's order: bottom, top, south, west, north, east",
+            Self::FrontFirst => "the order of Pannellum and Minecraft: front, right, back, left, up, down",
+        }
+    }
+
     /// What it costs to assume this order; `None` where nothing speaks for it that an exchange would not explain.
     fn cost(self, world_up: SignedAxis, hints: Hints) -> Option<u32> {
         let announced = |by_names: bool| by_names.then_some(ANNOUNCED);
@@ -167,21 +198,8 @@ impl Hints {
 
 impl fmt::Display for Convention {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(match self {
-            Self::BottomUp => "all six flipped top-bottom: these files were made for bottom-up upload",
-            Self::Mirrored => "all six flipped left-right: these files were made for the opposite handedness",
-            Self::Opengl => "these files follow OpenGL's convention: use --lookup opengl",
-            Self::Course => "these files follow the course's convention for a z-up world: use --lookup course",
-            Self::HumusZUp => "a y-up download in a z-up world: use --lookup humus-z-up",
-            Self::HumusYUp => "a y-up download seen along -z: use --lookup humus-y-up",
-            Self::OpenExr => "OpenEXR's convention: +Z and -Z change places",
-            Self::Quake => "Quake's convention: front is +X, back -X, right +Z, left -Z",
-            Self::Unity => "Unity's convention: left is +X, right -X",
-            Self::ZUp => "these files are named for a world with z up: posz is the top",
-            Self::ZUpRightHanded => "these files are named for a right-handed world with z up: posz is the top",
-            Self::Optifine => "OptiFine's order: bottom, top, south, west, north, east",
-            Self::FrontFirst => "the order of Pannellum and Minecraft: front, right, back, left, up, down",
-        })
+        formatter.write_str(self.reason())?;
+        self.preset().map_or(Ok(()), |preset| write!(formatter, ": use --lookup {}", preset.name()))
     }
 }
 
