@@ -236,15 +236,13 @@ fn a_region_that_is_flipped_or_turned_is_called_so() {
         let letter = (6..14).contains(&u) || (4..12).contains(&v) || ((22..28).contains(&v) && u < 34);
         expected.set(60 + u, 30 + v, if letter { Vec3::new(0.7, 0.1, 0.1) } else { Vec3::splat(0.8) });
     }
-    let turned: [(&str, fn(usize, usize) -> (usize, usize)); 3] = [
-        ("flip left-right", |u, v| (47 - u, v)),
-        ("flip top-bottom", |u, v| (u, 47 - v)),
-        ("turn 180°", |u, v| (47 - u, 47 - v)),
-    ];
-    for (name, source) in turned {
+    for (name, [mirrors_u, mirrors_v]) in
+        [("flip left-right", [true, false]), ("flip top-bottom", [false, true]), ("turn 180°", [true, true])]
+    {
         let mut mine = expected.clone();
         for (u, v) in (0..48).flat_map(|u| (0..48).map(move |v| (u, v))) {
-            let (x, y) = source(u, v);
+            let [x, y] =
+                [(u, mirrors_u), (v, mirrors_v)].map(|(place, mirrors)| if mirrors { 47 - place } else { place });
             mine.set(60 + u, 30 + v, expected.pixel(60 + x, 30 + y));
         }
         let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));

@@ -107,17 +107,21 @@ pub fn check_skybox(skybox: &Skybox, lookup: Lookup, options: &CheckOptions) -> 
     Ok((map, check))
 }
 
+impl MapOptions {
+    /// The world's up axis if the user named `world_up`, and a sentence if it follows from the engine or from the lookup's name.
+    pub fn up_axis(&self, world_up: Option<SignedAxis>) -> (SignedAxis, Option<String>) {
+        if let Some(world_up) = world_up.or(self.engine.world_up()) {
+            return (world_up, self.engine.description());
+        }
+        let name = self.lookup.as_deref().unwrap_or(DEFAULT_LOOKUP);
+        let world_up = Preset::usual_up_of(name);
+        (world_up, Some(format!("assumed a world with {world_up} up, for the lookup {name}; --world-up changes this")))
+    }
+}
+
 impl ViewOptions {
     /// The world's up axis, and a sentence if it follows from the engine or from the lookup's name.
     pub fn world_up(&self) -> (SignedAxis, Option<String>) {
-        if let Some(world_up) = self.world_up {
-            return (world_up, self.map.engine.description());
-        }
-        if let Some(world_up) = self.map.engine.world_up() {
-            return (world_up, self.map.engine.description());
-        }
-        let name = self.map.lookup.as_deref().unwrap_or(DEFAULT_LOOKUP);
-        let world_up = Preset::usual_up_of(name);
-        (world_up, Some(format!("assumed a world with {world_up} up, for the lookup {name}; --world-up changes this")))
+        self.map.up_axis(self.world_up)
     }
 }

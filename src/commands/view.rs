@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::map_options::ViewOptions;
+use super::map_options::MapOptions;
 use super::options::{refuse_source_folder, refuse_to_overwrite_sources};
 use super::terminal::{Outcome, tell};
+use crate::envmap::{CubeFilter, SignedAxis};
 use crate::error::{Error, Result};
 use crate::picture::{check_target, folder_of, write_atomically};
 use crate::report::{ViewInput, view_page};
@@ -17,7 +18,10 @@ const USUAL_LIMIT: usize = 3_900_000;
 #[derive(Debug, Args)]
 pub struct ViewArguments {
     #[command(flatten)]
-    view: ViewOptions,
+    map: MapOptions,
+    /// The axis that points up in the world [default: +y for opengl and humus-y-up, else +z]
+    #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
+    world_up: Option<SignedAxis>,
     /// The page to write [default: the map's name with .html, in the current folder]
     #[arg(short, long, value_name = "PAGE.html")]
     output: Option<PathBuf>,
@@ -28,8 +32,8 @@ pub struct ViewArguments {
 
 /// Checks the map and writes the page.
 pub fn run(arguments: &ViewArguments) -> Result<Outcome> {
-    let map = arguments.view.map.open()?;
-    let (world_up, assumption) = arguments.view.world_up();
+    let map = arguments.map.open()?;
+    let (world_up, assumption) = arguments.map.up_axis(arguments.world_up);
     let stem = std::path::Path::new(&map.name).file_stem().map_or_else(|| "map".into(), |stem| stem.to_os_string());
     let output = arguments.output.clone().unwrap_or_else(|| PathBuf::from(stem).with_extension("html"));
     if output.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("html")) {
@@ -38,7 +42,7 @@ pub fn run(arguments: &ViewArguments) -> Result<Outcome> {
     refuse_to_overwrite_sources(&output, &map.sources)?;
     refuse_source_folder(&map.skybox, folder_of(&output))?;
     check_target(&output)?;
-    let (cube_map, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
+    let (cube_map, check) = map.checked(CubeFilter::Bilinear, arguments.world_up)?;
     let limit = if arguments.full { usize::MAX } else { USUAL_LIMIT };
     let page = view_page(&ViewInput { name: &map.name, map: &cube_map, check: &check, world_up, limit })?;
     write_atomically(&output, page.as_bytes())?;

@@ -136,7 +136,7 @@ pub fn code(check: &Check) -> Vec<String> {
 }
 
 /// The image that the face reads, and the statements that change u, v to u', v', after those that compute u and v.
-fn statements(fix: &FaceFix, check: &Check) -> String {
+pub fn statements(fix: &FaceFix, check: &Check) -> String {
     let image = format!("image = {};", fix.image.constant_name());
     let reads_another = fix.image != check.lookup.row(fix.face).image;
     let Orientation { swaps, inverts_u, inverts_v } = fix.orientation;

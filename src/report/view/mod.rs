@@ -10,11 +10,12 @@ use base64::prelude::BASE64_STANDARD;
 use html_escape::encode_text;
 use serde::Serialize;
 
+use super::check::{Repair, code, nothing_to_fix, repairs, statements};
 use super::code::{CodeLanguage, lookup_code};
 use crate::choice::name_of;
-use crate::envmap::{CubeMap, Face, Handedness, Lookup, Orientation, SignedAxis, VOrigin};
+use crate::envmap::{CubeMap, Face, Handedness, Lookup, SignedAxis, VOrigin};
 use crate::error::Result;
-use crate::validate::{Check, FaceFix, Seam};
+use crate::validate::{Check, Seam};
 
 /// What the page shows.
 #[derive(Debug)]
@@ -96,7 +97,7 @@ pub fn view_page(input: &ViewInput) -> Result<String> {
     let data = serde_json::to_string(&data).expect("a page is plain data").replace("</", "<\\/");
     let verdict = check.verdict.name();
     let headline = format!("<strong>{verdict}</strong> under the lookup {}", encode_text(&check.lookup_name));
-    let code = if check.fix.changes > 0 { code(&repaired, map.lookup()) } else { String::new() };
+    let code = if check.fix.changes > 0 { functions(&repaired, map.lookup()) } else { String::new() };
     let parts = [
         ("title", format!("{}: {verdict}", encode_text(name))),
         ("name", encode_text(name).into_owned()),
@@ -114,35 +115,29 @@ pub fn view_page(input: &ViewInput) -> Result<String> {
     Ok(filled(include_str!("page.html"), &parts))
 }
 
-/// What to do, and what no lookup repairs.
+/// What to do and why, and the same in the code; or that nothing is to be done.
 fn to_do(check: &Check) -> Vec<String> {
-    let mut lines = check.fix.story.sentences();
-    let changed = check.fix.faces.iter().filter(|face| !face.is_unchanged(&check.lookup));
-    lines.extend(changed.map(|fix| repair(check, fix)));
-    lines.extend(check.unrepaired().iter().map(ToString::to_string));
-    if lines.is_empty() {
-        lines.push(super::nothing_to_fix(check));
+    let repairs = repairs(check);
+    if repairs.is_empty() {
+        return vec![nothing_to_fix(check)];
     }
-    lines
+    let told = repairs.into_iter().map(|Repair { what, why }| match why {
+        Some(why) => format!("{what} ({why})"),
+        None => what,
+    });
+    told.chain(code(check).into_iter().map(|line| format!("or in the code of the lookup: {line}"))).collect()
 }
 
 /// The sentence on each face, in the order of [`Face::ALL`].
 fn face_repairs(check: &Check) -> [String; 6] {
-    check.fix.faces.map(|fix| repair(check, &fix))
-}
-
-fn repair(check: &Check, fix: &FaceFix) -> String {
-    let file = &check.images[fix.image.index()].file;
-    let row = check.lookup.row(fix.face);
-    if fix.is_unchanged(&check.lookup) {
-        return format!("{} ({file}): nothing to change", fix.face.name());
-    }
-    let read = (fix.image != row.image).then(|| format!("read {file} as {}", row.image.name()));
-    let turned = (fix.orientation != Orientation::IDENTITY).then(|| fix.image_operation.name().to_owned());
-    let doubt = if fix.decided { "" } else { " (undecided)" };
-    let (u, v) = fix.orientation.formulas();
-    let what: Vec<String> = read.into_iter().chain(turned).collect();
-    format!("{} ({file}): {}{doubt}; or in the code: (u, v) = ({u}, {v})", fix.face.name(), what.join(", "))
+    check.fix.faces.map(|fix| {
+        let file = &check.images[fix.image.index()].file;
+        if fix.is_unchanged(&check.lookup) {
+            return format!("{} ({file}): nothing to change", fix.face.name());
+        }
+        let doubt = if fix.decided { "" } else { " (the pixels do not decide it)" };
+        format!("{} ({file}): in the code, {}{doubt}", fix.face.name(), statements(&fix, check))
+    })
 }
 
 /// The template with its parts; what the parts contain is not looked at again.
@@ -182,7 +177,7 @@ fn seams(check: &Check) -> String {
 }
 
 /// The repaired lookup in every language, each to be copied.
-fn code(repaired: &Lookup, given: &Lookup) -> String {
+fn functions(repaired: &Lookup, given: &Lookup) -> String {
     use CodeLanguage::{Cpp, Csharp, Glsl, Java, Python, Rust};
     let block = |language: CodeLanguage| {
         let code = lookup_code(repaired, given, language);
