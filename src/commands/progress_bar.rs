@@ -86,4 +86,8 @@ impl Progress for RenderBar {
     fn cancelled(&self) -> bool {
         interrupt::requested()
     }
+
+    fn presentable(&self) {
+        interrupt::watch();
+    }
 }
