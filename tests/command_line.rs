@@ -133,8 +133,62 @@ fn interrupted(folder: &Path, arguments: &[&str], milliseconds: u64) -> Output {
 #[test]
 fn a_rendering_interrupted_before_its_first_sample_leaves_nothing_behind() {
     let folder = tempfile::tempdir().unwrap();
-    interrupted(folder.path(), &["render", LESSON, "--size", "12000x12000", "--samples", "1", "-o", "a.png"], 700);
-    assert_eq!(files(folder.path()), [""; 0]);
+    std::fs::write(folder.path().join("endless.toml"), ENDLESS).unwrap();
+    interrupted(folder.path(), &["render", "endless.toml", "-o", "a.png"], 700);
+    assert_eq!(files(folder.path()), ["endless.toml"]);
+}
+
+/// A glass ball in a box of mirrors: a ray of the camera sends on 2^1000 others.
+const ENDLESS: &str = "camera = { position = [0, -5, 0], target = [0, 0, 0], size = [1, 1] }\n\
+     integrator = { kind = \"whitted\", depth = 1000, weight_cutoff = 0 }\n\
+     environment = { kind = \"constant\", radiance = 1 }\n\
+     materials.glass = { kind = \"glass\" }\n\
+     materials.mirror = { kind = \"mirror\" }\n\
+     shapes = [{ kind = \"sphere\", material = \"glass\" },\n\
+     { kind = \"box\", material = \"mirror\", minimum = [-9, -9, -9], maximum = [9, 9, 9] }]\n";
+
+#[test]
+fn the_time_ends_within_a_pixel() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("endless.toml"), ENDLESS).unwrap();
+    for more in [&[][..], &["--textbook"], &["--integrator", "path", "--depth", "8"]] {
+        let started = std::time::Instant::now();
+        let output =
+            skycube(folder.path(), &[&["render", "endless.toml", "--time", "500ms", "-o", "a.png"], more].concat());
+        // Usually within 0.6 s; others may keep the machine busy.
+        assert!(started.elapsed().as_secs_f64() < 2.5, "{more:?}: {:?}", started.elapsed());
+        if more.contains(&"path") {
+            assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+            continue;
+        }
+        assert_eq!(output.status.code(), Some(2), "{more:?}");
+        assert!(text(&output.stderr).contains("nothing was written"), "{}", text(&output.stderr));
+        assert_eq!(files(folder.path()), ["endless.toml"]);
+    }
+}
+
+#[test]
+fn a_large_picture_is_there_coarsely_when_the_time_is_over() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("deep.toml"), ENDLESS).unwrap();
+    let size = ["render", "deep.toml", "--depth", "6", "--size", "4000x3000"];
+    let output = skycube(folder.path(), &[&size[..], &["--time", "1s", "-o", "a.png", "--json"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
+    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&report["stopped"], &report["samples"]), (&false.into(), &0.into()));
+    assert!(report["coarse_rows"].as_u64().unwrap() > 0, "{report}");
+    assert!(report["seconds"]["rendering"].as_f64().unwrap() < 2.5, "{report}");
+    let picture = skycube::picture::read(&folder.path().join("a.png")).unwrap();
+    assert_eq!((picture.width(), picture.height()), (4000, 3000));
+}
+
+#[test]
+fn a_trace_of_too_many_steps_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("endless.toml"), ENDLESS).unwrap();
+    let output = skycube(folder.path(), &["trace", "endless.toml", "--pixel", "0,0"]);
+    assert_eq!(output.status.code(), Some(2));
+    assert!(text(&output.stderr).contains("more than 1048576 steps"), "{}", text(&output.stderr));
 }
 
 #[cfg(unix)]
@@ -167,7 +221,56 @@ fn a_file_over_the_limit_of_the_shell_is_an_error() {
     let error = text(&output.stderr);
     assert_eq!(output.status.code(), Some(2), "{error}");
     assert!(error.contains("a.png: cannot write: File too large"), "{error}");
+    assert!(!error.contains(".partial"), "{error}");
     assert_eq!(files(folder.path()), [""; 0]);
+}
+
+/// Runs the program under a limit of the shell, as a user who is not exempt from it; `None` where the system cannot do that.
+#[cfg(unix)]
+fn limited(folder: &Path, limit: &str, arguments: &[&str]) -> Option<Output> {
+    use std::os::unix::fs::PermissionsExt;
+    std::fs::set_permissions(folder, std::fs::Permissions::from_mode(0o777)).unwrap();
+    let shell = ["bash", "-c", &format!("{limit}; exec \"$0\" \"$@\""), env!("CARGO_BIN_EXE_skycube")];
+    let is_root = Command::new("id").arg("-u").output().is_ok_and(|output| output.stdout == b"0\n");
+    let nobody = ["setpriv", "--reuid=65534", "--regid=65534", "--clear-groups"];
+    let words = if is_root { [&nobody[..], &shell].concat() } else { shell.to_vec() };
+    let output = Command::new(words[0]).args(&words[1..]).args(arguments).current_dir(folder).output().ok()?;
+    // 126: this user may not run the program.
+    Some(output).filter(|output| output.status.code() != Some(126))
+}
+
+#[cfg(unix)]
+#[test]
+fn without_threads_the_calling_one_does_the_work() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("scene.toml"), ENDLESS).unwrap();
+    for arguments in [
+        &["render", "scene.toml", "--size", "16x10", "--depth", "3", "-o", "a.png"][..],
+        &["render", "scene.toml", "--size", "16x10", "--depth", "3", "--threads", "3", "-o", "b.png"],
+        &["bake", "scene.toml", "--depth", "3", "--face-size", "8", "-o", "faces"],
+        &["compare", "a.png", "b.png"],
+        &["check", "faces"],
+        &["shots", "faces", "-o", "shots", "--size", "8"],
+        &["trace", "scene.toml", "--depth", "3", "--pixel", "0,0"],
+    ] {
+        let Some(output) = limited(folder.path(), "ulimit -u 1", arguments) else {
+            return eprintln!("skipped: no other user may run the program");
+        };
+        let error = text(&output.stderr);
+        assert!(matches!(output.status.code(), Some(0 | 1)), "{arguments:?}: {error}");
+        assert!(!error.contains("panicked"), "{arguments:?}: {error}");
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn memory_that_the_system_refuses_is_no_abort() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::write(folder.path().join("endless.toml"), ENDLESS).unwrap();
+    // A million steps take more than this, and nothing says so beforehand.
+    let arguments = ["trace", "endless.toml", "--pixel", "0,0", "--depth", "1000"];
+    let Some(output) = limited(folder.path(), "ulimit -v 150000", &arguments) else { return };
+    assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
 }
 
 #[test]

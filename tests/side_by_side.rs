@@ -187,14 +187,15 @@ fn passes_change_neither_uneven_weights_nor_layers() {
     assert_eq!(layers(&passes), layers(&whole));
 }
 
-/// Cancels after it was asked so many times.
+/// Cancels after it was asked so many times by threads that render.
 struct After(AtomicU32);
 
 impl Progress for After {
     fn advance(&self, _samples: u64, _rays: u64) {}
 
     fn cancelled(&self) -> bool {
-        self.0.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)).is_err()
+        rayon::current_thread_index().is_some()
+            && self.0.fetch_update(Ordering::Relaxed, Ordering::Relaxed, |left| left.checked_sub(1)).is_err()
     }
 }
 
@@ -229,4 +230,39 @@ fn a_cancelled_pass_leaves_every_row_right_by_itself() {
     }
     assert_eq!(kinds, [16 * 35, 35, 35]);
     assert_eq!(shown.counts.camera, 35 * (16 * 5 + 4 + 3));
+}
+
+/// Cancels once the picture is there coarsely.
+struct Coarsely(AtomicU32);
+
+impl Progress for Coarsely {
+    fn advance(&self, _samples: u64, _rays: u64) {}
+
+    fn cancelled(&self) -> bool {
+        self.0.load(Ordering::Relaxed) == 2
+    }
+
+    fn presentable(&self) {
+        self.0.fetch_add(1, Ordering::Relaxed);
+    }
+}
+
+#[test]
+fn a_picture_stopped_in_its_first_pass_shows_the_sample_in_the_middle_of_each_square() {
+    let scene = demanding();
+    let plan = Plan::new(&scene);
+    let renderer = Renderer::with_layers(&scene, &plan).unwrap();
+    let shown = render_progressively(renderer, Budget::Samples(11), &Coarsely(AtomicU32::new(0))).unwrap();
+    let mut renderer = Renderer::with_layers(&scene, &plan).unwrap();
+    renderer.add_samples(1, &Silent).unwrap();
+    let whole = renderer.rendering(false);
+    assert_eq!((shown.stopped, shown.samples, shown.coarse_rows), (true, 0, 18));
+    for (x, y) in (0..18).flat_map(|y| (0..35).map(move |x| (x, y))) {
+        let [middle_x, middle_y] = [(x / 16 * 16 + 8).min(34), (y / 16 * 16 + 8).min(17)];
+        let pixels = |rendering: &Rendering, x: usize, y: usize| {
+            let [normal, albedo, depth, variance] = layers(rendering);
+            [&rendering.raster, normal, albedo, depth, variance].map(|raster| raster.pixels()[35 * y + x])
+        };
+        assert_eq!(pixels(&shown, x, y), pixels(&whole, middle_x, middle_y), "pixel {x}, {y}");
+    }
 }

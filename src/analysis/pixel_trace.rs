@@ -1,10 +1,10 @@
 //! One pixel, watched.
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::integrators::{Blind, Event, Recorder};
 use crate::math::Vec3;
 use crate::render::{PixelSample, Renderer};
-use crate::scene::{Plan, Scene, Wing};
+use crate::scene::{Plan, Scene, Wing, finished};
 
 /// How a pixel gets its colour.
 #[derive(Debug, Clone)]
@@ -29,11 +29,11 @@ impl PixelTrace {
     pub fn of(scene: &Scene, plan: &Plan, pixel: [usize; 2], shown: u32) -> Result<Self> {
         let renderer = Renderer::new(scene, plan)?;
         let mut recorder = Recorder::default();
+        let watched = finished(|| renderer.watch(pixel, shown, &mut recorder)).ok_or_else(|| {
+            Error::new(format!("the sample takes more than {} steps", Recorder::MOST)).help("choose a smaller --depth")
+        })?;
         let samples: Vec<PixelSample> = (0..scene.samples)
-            .map(|index| match index == shown {
-                true => renderer.watch(pixel, index, &mut recorder),
-                false => renderer.watch(pixel, index, &mut Blind),
-            })
+            .map(|index| if index == shown { watched } else { renderer.watch(pixel, index, &mut Blind) })
             .collect();
         if let Some(error) = scene.environment.error() {
             return Err(error.clone());

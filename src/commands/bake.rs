@@ -4,9 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use clap::Args;
-use rayon::ThreadPool;
 
-use super::interrupt;
 use super::options::{
     PictureOptions, SceneOverrides, check_pixel_count, parse_three, read_lookup, refuse_folder_of,
     refuse_shared_images, refuse_to_overwrite_sources,
@@ -14,6 +12,7 @@ use super::options::{
 use super::own_output::refuse_rivals;
 use super::progress_bar::RenderBar;
 use super::terminal::{Outcome, leave_stdout_to, tell};
+use super::threads::Threads;
 use crate::envmap::{Face, Lookup};
 use crate::error::Result;
 use crate::math::DVec3;
@@ -60,15 +59,14 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
     let format = OutputFormat::of_path(&targets[0])?;
     refuse(&arguments.output, &targets, &scene)?;
     leave_stdout_to(&arguments.output);
-    let pool = arguments.overrides.thread_pool()?;
+    let threads = arguments.overrides.threads();
     let size = arguments.face_size as usize;
     check_pixel_count([6 * size, size])?;
-    interrupt::watch();
     let started = Instant::now();
-    let (rasters, rays) = bake(&scene, &plan, &lookup, size, position, &pool)?;
+    let (rasters, rays) = bake(&scene, &plan, &lookup, size, position, &threads)?;
     let seconds = started.elapsed().as_secs_f64();
     let encode = |image: Face| picture::encode(&rasters[image.index()], format, &options);
-    let encoded = pool.install(|| Face::ALL.map(encode));
+    let encoded = threads.install(|| Face::ALL.map(encode));
     let mut files = Vec::new();
     for (target, bytes) in targets.iter().zip(encoded) {
         files.push((target.as_path(), bytes?));
@@ -114,12 +112,12 @@ fn bake(
     lookup: &Lookup,
     size: usize,
     position: DVec3,
-    pool: &ThreadPool,
+    threads: &Threads,
 ) -> Result<(Vec<Raster>, u64)> {
     let bar = RenderBar::new(6 * (size * size) as u64 * u64::from(scene.samples), "baking");
     let (mut rasters, mut rays) = (Vec::new(), 0);
     for face in Face::ALL {
-        let rendering = pool.install(|| bake_face(scene, plan, lookup, face, size, position, &bar));
+        let rendering = threads.install(|| bake_face(scene, plan, lookup, face, size, position, &bar));
         let rendering = rendering.inspect_err(|_| bar.finish())?;
         rays += rendering.counts.traced();
         rasters.push((lookup.row(face).image, rendering.raster));

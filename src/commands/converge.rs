@@ -90,12 +90,12 @@ pub fn run(arguments: &ConvergeArguments) -> Result<Outcome> {
     let mut scenes = arguments.scenes.iter().map(|file| Subject::read(arguments, file)).collect::<Result<Vec<_>>>()?;
     refuse(&folder, &scenes)?;
     interrupt::watch();
-    let pool = arguments.overrides.thread_pool()?;
+    let threads = arguments.overrides.threads();
     let cache = folder.join("references");
     let protocol = protocol(arguments, &cache);
     let mut report = ConvergeReport { scenes: Vec::new(), stopped: false };
     for subject in &mut scenes {
-        match pool.install(|| converge(&mut subject.scene, &subject.variants, &protocol, &Terminal)) {
+        match threads.install(|| converge(&mut subject.scene, &subject.variants, &protocol, &Terminal)) {
             Ok(convergence) => {
                 let [width, height] = subject.scene.camera.size();
                 report.scenes.push(ConvergedScene {

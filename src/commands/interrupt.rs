@@ -23,9 +23,16 @@ pub fn handle() {
             });
         }
     });
-    // A file over the limit that the shell sets is then an error of the write that meets it.
     #[cfg(unix)]
-    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::new(AtomicBool::new(false)));
+    {
+        use signal_hook::consts::{SIGABRT, SIGXFSZ};
+        // A file over the limit that the shell sets is then an error of the write that meets it.
+        let _ = signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)));
+        // Where the system refuses memory, the standard library says how much it was and aborts: exit code 2, as for any
+        // command that cannot run.
+        // SAFETY: to exit in this way is allowed wherever a signal arrives.
+        let _ = unsafe { signal_hook::low_level::register(SIGABRT, || signal_hook::low_level::exit(2)) };
+    }
 }
 
 /// From now on the first Ctrl-C is noted instead of ending the process.

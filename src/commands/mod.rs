@@ -22,6 +22,7 @@ mod shots;
 #[cfg(feature = "stress")]
 mod stress;
 mod terminal;
+mod threads;
 mod trace;
 mod view;
 
@@ -99,10 +100,7 @@ pub fn run() -> ExitCode {
     if let Some(bytes) = arguments.memory {
         set_memory_budget(bytes);
     }
-    // Where the system starts no threads, the calling one does the work.
-    if rayon::ThreadPoolBuilder::new().build_global().is_err() {
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
-    }
+    threads::start();
     let result = catch_unwind(AssertUnwindSafe(|| command(arguments.command)));
     for note in take_notes() {
         remark(format_args!("note: {}\n", printable(&note)));

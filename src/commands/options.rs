@@ -6,6 +6,7 @@ use std::time::Duration;
 
 use clap::Args;
 
+use super::threads::Threads;
 use crate::choice::names_of;
 use crate::colour::ToneMap;
 use crate::envmap::source::{Layout, Skybox};
@@ -70,8 +71,8 @@ impl SceneOverrides {
     }
 
     /// The threads to render on.
-    pub fn thread_pool(&self) -> Result<rayon::ThreadPool> {
-        self.settings.thread_pool()
+    pub fn threads(&self) -> Threads {
+        self.settings.threads()
     }
 }
 
@@ -91,14 +92,8 @@ impl SettingOverrides {
     }
 
     /// The threads to render on.
-    pub fn thread_pool(&self) -> Result<rayon::ThreadPool> {
-        let builder = || rayon::ThreadPoolBuilder::new();
-        // Where the system starts no threads, the calling one does the work.
-        builder()
-            .num_threads(self.threads.unwrap_or(0) as usize)
-            .build()
-            .or_else(|_| builder().num_threads(1).use_current_thread().build())
-            .map_err(|error| Error::new(format!("cannot start threads: {error}")))
+    pub fn threads(&self) -> Threads {
+        Threads::new(self.threads)
     }
 }
 

@@ -136,4 +136,8 @@ impl Progress for RenderBar {
     fn cancelled(&self) -> bool {
         interrupt::requested()
     }
+
+    fn presentable(&self) {
+        interrupt::watch();
+    }
 }

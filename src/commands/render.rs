@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 
 use clap::Args;
 
-use super::interrupt;
 use super::options::{
     PictureOptions, PictureSize, SceneOverrides, check_pixel_count, parse_duration, refuse_to_overwrite_sources,
 };
@@ -62,10 +61,10 @@ pub fn run(arguments: &RenderArguments) -> Result<Outcome> {
     outside_limits(&scene).iter().for_each(|figure| remark(format_args!("warning: {figure}\n")));
     scene.notes.iter().for_each(|note| remark(format_args!("note: {note}\n")));
     let loaded = started.elapsed();
-    let pool = arguments.overrides.thread_pool()?;
-    let rendering = pool.install(|| rendering(arguments, &scene, &plan))?;
+    let threads = arguments.overrides.threads();
+    let rendering = threads.install(|| rendering(arguments, &scene, &plan))?;
     let rendered = started.elapsed();
-    pool.install(|| write(arguments, format, &scene, &rendering, &output))?;
+    threads.install(|| write(arguments, format, &scene, &rendering, &output))?;
     let report = RenderReport::new(&scene, &plan, &output, &rendering, [loaded, rendered, started.elapsed()]);
     if arguments.json {
         print(format_args!("{}\n", report.to_json()));
@@ -101,15 +100,18 @@ fn refuse(arguments: &RenderArguments, format: OutputFormat, scene: &Scene, outp
     check_target(output)
 }
 
+/// The time that rays have in any case.
+const SHORTEST: Duration = Duration::from_millis(100);
+
 fn rendering(arguments: &RenderArguments, scene: &Scene, plan: &Plan) -> Result<Rendering> {
     let [width, height] = scene.camera.size();
     let pixels = (width * height) as u64;
-    interrupt::watch();
     let started = Instant::now();
     let renderer = if arguments.layers { Renderer::with_layers(scene, plan)? } else { Renderer::new(scene, plan)? };
     let renderer = if arguments.time.is_some() { renderer.scattered() } else { renderer };
     // Tables that were built first took their part of the time. They are none of the rays that the bar goes by.
-    let (budget, bar) = match arguments.time.map(|limit| limit.saturating_sub(started.elapsed())) {
+    let left = |limit: Duration| limit.saturating_sub(started.elapsed()).max(SHORTEST.min(limit));
+    let (budget, bar) = match arguments.time.map(left) {
         Some(left) => (Budget::Time(left), RenderBar::until(left, "rendering")),
         None => (Budget::Samples(scene.samples), RenderBar::new(pixels * u64::from(scene.samples), "rendering")),
     };
@@ -126,11 +128,15 @@ fn write(
     output: &Path,
 ) -> Result<()> {
     let options = arguments.picture.write_options(scene.output);
-    let remark = format!("stopped after {} samples per pixel of {}", rendering.samples, scene.samples);
+    let Rendering { samples, coarse_rows, stopped, .. } = *rendering;
+    let remark = match coarse_rows {
+        0 => format!("stopped after {samples} samples per pixel of {}", scene.samples),
+        _ => format!("stopped before every pixel had a sample: {coarse_rows} rows are coarse"),
+    };
     let layers = rendering.layers.as_ref().map(Layers::named);
     let extras = Extras {
         layers: layers.as_ref().map_or(&[], |layers| layers.as_slice()),
-        remark: rendering.stopped.then_some(remark.as_str()),
+        remark: (stopped || coarse_rows > 0).then_some(remark.as_str()),
     };
     let encoded = picture::encode_with(&rendering.raster, format, &options, extras);
     write_atomically(output, &encoded.map_err(|error| error.in_file(output))?)

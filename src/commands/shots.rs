@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
-use super::interrupt;
 use super::map_options::{OpenMap, ViewOptions};
 use super::options::{check_pixel_count, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::{refuse_pictures_of_others, refuse_rivals};
@@ -41,7 +40,6 @@ pub struct ShotsArguments {
 
 /// Renders, writes, and says how the camera stood.
 pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
-    interrupt::watch();
     let size = arguments.size as usize;
     let pictures = if arguments.fixed { 12 } else { 6 };
     check_pixel_count([pictures * size, size]).map_err(|error| error.at_key("--size"))?;

@@ -39,8 +39,8 @@ pub fn run(arguments: &TraceArguments) -> Result<Outcome> {
     }
     check(arguments, &scene)?;
     let plan = Plan::new(&scene);
-    let pool = arguments.overrides.thread_pool()?;
-    let trace = pool.install(|| PixelTrace::of(&scene, &plan, arguments.pixel, arguments.sample))?;
+    let threads = arguments.overrides.threads();
+    let trace = threads.install(|| PixelTrace::of(&scene, &plan, arguments.pixel, arguments.sample))?;
     let file = arguments.scene.display().to_string();
     let report = TraceReport { trace: &trace, scene: &scene, plan: &plan, file: &file };
     if arguments.json {

@@ -114,8 +114,9 @@ fn temporary_beside(path: &Path, bytes: &[u8]) -> std::io::Result<tempfile::Name
         // The system takes the bits of the umask away from these.
         builder.permissions(std::fs::Permissions::from_mode(0o666));
     }
-    let mut file = builder.tempfile_in(folder_of(path))?;
-    file.write_all(bytes)?;
+    // Errors of the crate name the temporary file, which says nothing to the user.
+    let mut file = builder.tempfile_in(folder_of(path)).map_err(|error| std::io::Error::from(error.kind()))?;
+    file.as_file_mut().write_all(bytes)?;
     // The name must not lead to a file whose content is still on its way when the power fails.
     file.as_file().sync_data()?;
     Ok(file)

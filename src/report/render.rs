@@ -26,6 +26,8 @@ pub struct RenderReport {
     pub samples: u32,
     /// True if Ctrl-C ended it before all samples were taken.
     pub stopped: bool,
+    /// Rows without a sample, which show a coarse picture.
+    pub coarse_rows: usize,
     pub integrator: String,
     /// The code that rendered.
     pub wing: Wing,
@@ -67,6 +69,7 @@ impl RenderReport {
             height,
             samples: rendering.samples,
             stopped: rendering.stopped,
+            coarse_rows: rendering.coarse_rows,
             integrator: name_of(scene.integrator.kind),
             wing: rendering.wing,
             seconds,
@@ -116,8 +119,13 @@ impl fmt::Display for RenderReport {
             "wrote {picture}: {width} x {height} pixels, {samples} {unit} each, {integrator}, {}",
             wing.name()
         )?;
-        if self.stopped {
-            writeln!(formatter, "      stopped by Ctrl-C: the picture is complete, but noisier than requested")?;
+        let by = if self.stopped { "by Ctrl-C" } else { "by --time" };
+        match self.coarse_rows {
+            0 if self.stopped => {
+                writeln!(formatter, "      stopped by Ctrl-C: the picture is complete, but noisier than requested")?;
+            }
+            0 => {}
+            rows => writeln!(formatter, "      stopped {by} before every pixel had a sample: {rows} rows are coarse")?,
         }
         writeln!(
             formatter,

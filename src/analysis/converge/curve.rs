@@ -16,7 +16,7 @@ use super::watch::{Watch, Work};
 use crate::error::Result;
 use crate::integrators::RayCounts;
 use crate::picture::Raster;
-use crate::render::{Progress, Renderer, Silent};
+use crate::render::{Progress, Renderer};
 use crate::scene::{Plan, Scene};
 
 /// A rendering after this number of samples per pixel, in the mean over the seeds.
@@ -113,26 +113,13 @@ impl Curve {
         protocol: &Protocol,
         watch: &impl Watch,
     ) -> Result<Self> {
-        let plan = Plan::new(scene);
-        decode_pictures(scene, &plan)?;
         let phase =
             watch.begin(if variant.label.is_empty() { "rendering" } else { &variant.label }, work(scene, protocol));
-        let mut runs = (0..protocol.seeds)
-            .map(|index| Run::new(scene, &plan, scene.sampling.seed.wrapping_add(index)))
-            .collect::<Result<Vec<_>>>()?;
-        let mut steps: Vec<Step> = Vec::new();
-        while let Some(samples) = protocol.schedule.next(runs[0].renderer.samples(), mean_time(&runs)) {
-            for run in &mut runs {
-                if let Err(error) = run.grow(samples, &phase) {
-                    if phase.cancelled() {
-                        return Ok(Self::of_steps(variant, number, steps, reference));
-                    }
-                    return Err(error);
-                }
-            }
-            steps.push(step(samples, &runs, reference));
+        let mut steps = Vec::new();
+        match take_steps(scene, reference, protocol, &phase, &mut steps) {
+            Err(error) if !phase.cancelled() => Err(error),
+            _ => Ok(Self::of_steps(variant, number, steps, reference)),
         }
-        Ok(Self::of_steps(variant, number, steps, reference))
     }
 
     fn of_steps(variant: &Variant, number: usize, steps: Vec<Step>, reference: &Reference) -> Self {
@@ -147,6 +134,26 @@ impl Curve {
         };
         Self { label: variant.label.clone(), configuration: variant.configuration, reference: number, steps, fit }
     }
+}
+
+/// Takes the steps of a schedule. An error if that is cancelled.
+fn take_steps(
+    scene: &Scene,
+    reference: &Reference,
+    protocol: &Protocol,
+    phase: &dyn Progress,
+    steps: &mut Vec<Step>,
+) -> Result<()> {
+    let plan = Plan::new(scene);
+    decode_pictures(scene, &plan, phase)?;
+    let mut runs = (0..protocol.seeds)
+        .map(|index| Run::new(scene, &plan, scene.sampling.seed.wrapping_add(index)))
+        .collect::<Result<Vec<_>>>()?;
+    while let Some(samples) = protocol.schedule.next(runs[0].renderer.samples(), mean_time(&runs)) {
+        runs.iter_mut().try_for_each(|run| run.grow(samples, phase))?;
+        steps.push(step(samples, &runs, reference));
+    }
+    Ok(())
 }
 
 /// A rendering that grows, and the time it took so far.
@@ -175,8 +182,8 @@ fn mean_time(runs: &[Run]) -> Duration {
 }
 
 /// One sample that is not measured: pictures of the environment are decoded when a ray first reaches them.
-fn decode_pictures(scene: &Scene, plan: &Plan) -> Result<()> {
-    Renderer::new(scene, plan)?.scattered().add_samples(1, &Silent)
+fn decode_pictures(scene: &Scene, plan: &Plan, phase: &dyn Progress) -> Result<()> {
+    Renderer::new(scene, plan)?.scattered().add_samples(1, phase)
 }
 
 fn work(scene: &Scene, protocol: &Protocol) -> Work {
@@ -184,7 +191,7 @@ fn work(scene: &Scene, protocol: &Protocol) -> Work {
     match &protocol.schedule {
         Schedule::Samples(steps) => {
             let samples = steps.last().map_or(0, |&samples| u64::from(samples) * u64::from(protocol.seeds));
-            Work::Samples(samples * (width * height) as u64)
+            Work::Samples((samples + 1) * (width * height) as u64)
         }
         Schedule::Time(limit) => Work::Time(*limit * protocol.seeds),
     }

@@ -12,6 +12,16 @@ use crate::picture::Raster;
 pub struct Film {
     size: [usize; 2],
     pub rows: Vec<FilmRow>,
+    /// Shown where a row has no sample.
+    pub coarse: Option<CoarseFilm>,
+}
+
+/// A film with one pixel for each square of pixels of the picture.
+#[derive(Debug)]
+pub struct CoarseFilm {
+    pub film: Box<Film>,
+    /// The side of the squares.
+    pub side: usize,
 }
 
 /// One row of pixels, all with the same number of samples. It takes no memory before the first.
@@ -42,7 +52,7 @@ pub struct Keeps {
 impl Film {
     /// A film without samples.
     pub fn new([width, height]: [usize; 2], keeps: Keeps) -> Self {
-        Self { size: [width, height], rows: (0..height).map(|_| FilmRow::new(keeps)).collect() }
+        Self { size: [width, height], rows: (0..height).map(|_| FilmRow::new(keeps)).collect(), coarse: None }
     }
 
     /// Samples that every pixel has.
@@ -57,13 +67,27 @@ impl Film {
         counts
     }
 
+    /// Rows without a sample.
+    pub fn blank_rows(&self) -> usize {
+        self.rows.iter().filter(|row| row.samples == 0).count()
+    }
+
+    /// What is shown of row `y`: a row, and how many pixels side by side each of its own covers.
+    fn shown(&self, y: usize) -> (&FilmRow, usize) {
+        match &self.coarse {
+            Some(CoarseFilm { film, side }) if self.rows[y].samples == 0 => (&film.rows[y / side], *side),
+            _ => (&self.rows[y], 1),
+        }
+    }
+
     /// The picture; rows in parallel.
     pub fn develop(&self) -> Raster {
         let [width, height] = self.size;
         let mut pixels = on_large_pages(width * height);
         pixels.resize(width * height, Vec3::ZERO);
-        parallel::for_each(pixels.chunks_mut(width).zip(&self.rows), |(pixels, row)| {
-            pixels.iter_mut().enumerate().for_each(|(x, pixel)| *pixel = row.pixel(x));
+        parallel::for_each(pixels.chunks_mut(width).enumerate(), |(y, pixels)| {
+            let (row, side) = self.shown(y);
+            pixels.iter_mut().enumerate().for_each(|(x, pixel)| *pixel = row.pixel(x / side));
         });
         Raster::from_pixels(width, height, pixels)
     }
@@ -72,8 +96,11 @@ impl Film {
     pub fn develop_layers(&self) -> Option<Layers> {
         let [width, height] = self.size;
         let mut layers = self.rows.first()?.keeps.layers.then(|| Layers::blank(width, height))?;
-        for (y, row) in self.rows.iter().enumerate() {
-            row.layers.iter().enumerate().for_each(|(x, sums)| layers.set(x, y, sums, row.samples));
+        for y in 0..height {
+            let (row, side) = self.shown(y);
+            for x in 0..width.min(row.layers.len() * side) {
+                layers.set(x, y, &row.layers[x / side], row.samples);
+            }
         }
         Some(layers)
     }

@@ -11,6 +11,7 @@ mod progressive;
 mod ray_source;
 mod renderer;
 mod rendering;
+mod watcher;
 
 pub use axis_shots::AxisShot;
 pub use bake::bake_face;

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use super::progress::Progress;
+use super::progress::{Progress, Until};
 use super::renderer::Renderer;
 use super::rendering::Rendering;
 use crate::error::{Error, Result};
@@ -12,29 +12,36 @@ use crate::error::{Error, Result};
 pub enum Budget {
     /// The number of samples per pixel.
     Samples(u32),
-    /// After so much time, with at least one sample.
+    /// After so much time.
     Time(Duration),
 }
 
 /// The largest number of samples per pixel, even if time is left.
 const MOST_SAMPLES: u32 = 1 << 24;
 
+/// Sides of the squares that a picture has a sample in before every pixel has one: a large picture is soon there as a whole.
+const COARSE: [usize; 2] = [64, 16];
+
 /// Renders in passes until the budget is spent. Asked to stop by `progress`, gives the picture so far, marked as
-/// stopped; before the first sample of every pixel is there, an error.
+/// stopped; before it is there at least coarsely, an error.
 pub fn render_progressively(mut renderer: Renderer, budget: Budget, progress: &dyn Progress) -> Result<Rendering> {
     let started = Instant::now();
-    while let Some(count) = next_pass(renderer.samples(), budget, started.elapsed()) {
-        if let Err(error) = renderer.add_samples(count, progress) {
-            // A pass that was begun leaves every row right by itself.
-            let shown = renderer.rendering(true);
-            return match progress.cancelled() {
-                true if shown.samples > 0 => Ok(shown),
-                true => Err(Error::new("cancelled before every pixel had a sample: nothing was written")),
-                false => Err(error),
-            };
-        }
+    let end = match budget {
+        Budget::Samples(_) => None,
+        Budget::Time(limit) => Some(started + limit),
+    };
+    let until = Until { progress, end };
+    let mut rendered = COARSE.into_iter().try_for_each(|side| renderer.add_coarse_sample(side, &until));
+    while let (Ok(()), Some(count)) = (&rendered, next_pass(renderer.samples(), budget, started.elapsed())) {
+        rendered = renderer.add_samples(count, &until);
     }
-    Ok(renderer.rendering(false))
+    match rendered {
+        Ok(()) => Ok(renderer.rendering(false)),
+        Err(error) if !until.cancelled() => Err(error),
+        // A pass that was begun leaves every row right by itself.
+        Err(_) if renderer.is_presentable() => Ok(renderer.rendering(progress.cancelled())),
+        Err(_) => Err(Error::new("stopped before there was even a coarse picture: nothing was written")),
+    }
 }
 
 /// Samples of the next pass; `None` if the budget is spent. Passes grow with the picture, so that their number stays small.

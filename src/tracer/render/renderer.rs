@@ -2,16 +2,17 @@
 
 use rayon::prelude::*;
 
-use super::film::{Film, FilmRow, Keeps};
-use super::progress::Progress;
+use super::film::{CoarseFilm, Film, FilmRow, Keeps};
+use super::progress::{Progress, Uncounted};
 use super::ray_source::RaySource;
 use super::rendering::Rendering;
+use super::watcher::watched;
 use crate::error::{Error, Result};
 use crate::integrators::{FirstHit, Integrator, RayCounts, RayStream};
 use crate::materials::MediumStack;
 use crate::math::{DVec3, Ray, Vec3};
 use crate::sampling::{FilteredPlace, PixelSampler, Sampling};
-use crate::scene::{Plan, Scene};
+use crate::scene::{Plan, Scene, finished};
 
 /// A picture that grows by passes of samples. Every sample depends on the scene and its own number alone: the picture after
 /// N samples is the same however they were split, on any number of threads.
@@ -63,11 +64,25 @@ impl<'a> Renderer<'a> {
     /// Adds samples to every pixel. After an error (a picture that cannot be decoded, or the rendering was cancelled)
     /// some rows may have them and others not; each is right by itself.
     pub fn add_samples(&mut self, count: u32, progress: &dyn Progress) -> Result<()> {
-        let (sampler, last) = (&self.sampler, self.samples + count);
-        let rows = self.film.rows.par_iter_mut().enumerate();
-        rows.try_for_each_init(|| sampler.room(), |room, (y, row)| sampler.expose(row, y, last, room, progress))?;
+        let last = self.samples + count;
+        self.sampler.expose(&mut self.film, &Pass { side: 1, last, progress })?;
         self.samples = last;
         Ok(())
+    }
+
+    /// Takes a sample of one pixel in each square with sides of `side` pixels. Rows without a sample then show it.
+    pub fn add_coarse_sample(&mut self, side: usize, progress: &dyn Progress) -> Result<()> {
+        let size = self.sampler.source.size().map(|length| length.div_ceil(side));
+        let mut film = Film::new(size, self.keeps);
+        self.sampler.expose(&mut film, &Pass { side, last: 1, progress: &Uncounted(progress) })?;
+        self.film.coarse = Some(CoarseFilm { film: Box::new(film), side });
+        progress.presentable();
+        Ok(())
+    }
+
+    /// True if there is something to show for every pixel.
+    pub fn is_presentable(&self) -> bool {
+        self.film.coarse.is_some() || self.film.blank_rows() == 0
     }
 
     /// The picture so far.
@@ -76,11 +91,29 @@ impl<'a> Renderer<'a> {
             raster: self.film.develop(),
             counts: self.film.counts(),
             samples: self.film.samples(),
+            coarse_rows: self.film.blank_rows(),
             stopped,
             layers: self.film.develop_layers(),
             left_out: self.sampler.integrator.left_out(),
             wing: self.sampler.integrator.wing(),
         }
+    }
+}
+
+/// A pass over a film.
+struct Pass<'p> {
+    /// Each pixel of the film stands for a square of the picture with sides of this many pixels: for the one in its middle.
+    side: usize,
+    /// Samples that every pixel has in the end.
+    last: u32,
+    progress: &'p dyn Progress,
+}
+
+impl Pass<'_> {
+    /// The column or row of the picture, which has `length` of them, for one of the film.
+    #[inline]
+    fn place(&self, position: usize, length: usize) -> usize {
+        (position * self.side + self.side / 2).min(length - 1)
     }
 }
 
@@ -123,43 +156,48 @@ impl SceneSampler<'_> {
         Room { stream, ..Room::default() }
     }
 
-    /// Adds samples to all pixels of a row until there are `last`. An error if it is cancelled, or if a picture of the
-    /// environment cannot be decoded: the whole row then lacks the sample that was begun.
-    fn expose(&self, row: &mut FilmRow, y: usize, last: u32, room: &mut Room, progress: &dyn Progress) -> Result<()> {
+    /// Adds samples to all pixels of a film.
+    fn expose(&self, film: &mut Film, pass: &Pass) -> Result<()> {
+        let rows = film.rows.par_iter_mut().enumerate();
+        watched(&self.scene.shapes.stop, pass.progress, || {
+            rows.try_for_each_init(|| self.room(), |room, (y, row)| self.expose_row(row, y, room, pass))
+        })
+    }
+
+    /// Adds samples to all pixels of a row. An error if it is cancelled, or if a picture of the environment cannot be
+    /// decoded: the whole row then lacks the sample that was begun.
+    fn expose_row(&self, row: &mut FilmRow, y: usize, room: &mut Room, pass: &Pass) -> Result<()> {
         let (before, width) = (row.counts.traced(), self.source.size()[0]);
-        let work = width as u64 * u64::from(last.saturating_sub(row.samples));
-        for index in row.samples..last {
+        let work = width as u64 * u64::from(pass.last.saturating_sub(row.samples));
+        for index in row.samples..pass.last {
             let mut counts = row.counts;
-            self.sample_row(y, index, room, &mut counts, progress)?;
+            let sampled = finished(|| self.sample_row(y, index, room, &mut counts, pass));
+            sampled.unwrap_or_else(|| Err(cancelled()))?;
             row.counts = counts;
             row.add(&room.radiances, &room.weights);
             if self.layers {
                 row.add_to_layers(&room.radiances, &room.first_hits);
             }
         }
-        progress.advance(work, row.counts.traced() - before);
+        pass.progress.advance(work, row.counts.traced() - before);
         Ok(())
     }
 
     /// Takes one sample of every pixel of a row.
-    fn sample_row(
-        &self,
-        y: usize,
-        index: u32,
-        room: &mut Room,
-        counts: &mut RayCounts,
-        progress: &dyn Progress,
-    ) -> Result<()> {
+    fn sample_row(&self, y: usize, index: u32, room: &mut Room, counts: &mut RayCounts, pass: &Pass) -> Result<()> {
         room.clear();
         let Room { radiances, weights, first_hits, stream } = room;
-        let (samplers, width) = (self.sampling.row(y, index), self.source.size()[0]);
-        for first in (0..width).step_by(RayStream::LENGTH) {
+        let [width, height] = self.source.size();
+        let (y, columns) = (pass.place(y, height), width.div_ceil(pass.side));
+        let samplers = self.sampling.row(y, index);
+        for first in (0..columns).step_by(RayStream::LENGTH) {
             // With many samples or pixels a row takes long: a cancelled one is not finished.
-            if progress.cancelled() {
-                return Err(Error::new("cancelled: nothing was written"));
+            if pass.progress.cancelled() {
+                return Err(cancelled());
             }
             stream.iter_mut().for_each(RayStream::clear);
-            for x in first..(first + RayStream::LENGTH).min(width) {
+            for column in first..(first + RayStream::LENGTH).min(columns) {
+                let x = pass.place(column, width);
                 let mut sampler = samplers.pixel(x);
                 let (origin, towards, place) = self.set_out([x, y], &mut sampler);
                 weights.push(place.weight);
@@ -194,6 +232,10 @@ impl SceneSampler<'_> {
         let (origin, towards) = self.source.sight(x as f64 + place.across, y as f64 + place.down, lens_place);
         (origin, towards, place)
     }
+}
+
+fn cancelled() -> Error {
+    Error::new("cancelled: nothing was written")
 }
 
 /// Renders all samples of the scene. An error if a picture of the environment cannot be decoded, or if the

@@ -14,6 +14,8 @@ pub struct Rendering {
     pub counts: RayCounts,
     /// Samples that every pixel has; some may have more if the rendering was stopped.
     pub samples: u32,
+    /// Rows without a sample, which show the coarse picture.
+    pub coarse_rows: usize,
     /// True if it was stopped before all samples were taken.
     pub stopped: bool,
     /// The layers requested beside the picture.

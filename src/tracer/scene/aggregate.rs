@@ -1,6 +1,7 @@
 //! All shapes of a scene, and the search for those that a ray hits.
 
 use super::boxed_shapes::BoxedShapes;
+use super::stop_switch::StopSwitch;
 use crate::materials::MediumStack;
 use crate::math::{Bounds, DVec3, Ray, Side, SurfaceId};
 use crate::shapes::{Hit, Primitive, SpherePack, Surface, ViewCones};
@@ -19,6 +20,8 @@ pub struct Aggregate {
     /// Meshes tried one by one.
     meshes: Vec<u32>,
     hierarchy: Option<BoxedShapes>,
+    /// Asked by every ray.
+    pub stop: StopSwitch,
 }
 
 impl Aggregate {
@@ -63,7 +66,7 @@ impl Aggregate {
         let packs = spheres.chunks(SpherePack::MOST).map(SpherePack::new).collect();
         let is_mesh = |shape: &u32| primitives[*shape as usize].is_mesh();
         let (meshes, listed) = numbers.into_iter().filter(|&shape| sphere(shape).is_none()).partition(is_mesh);
-        Self { packs, listed, meshes, primitives, hierarchy: None }
+        Self { packs, listed, meshes, primitives, hierarchy: None, stop: StopSwitch::default() }
     }
 
     /// All shapes, by their numbers.
@@ -114,6 +117,7 @@ impl Aggregate {
     #[inline(always)]
     fn nearest_simple(&self, ray: &Ray, cones: Option<&ViewCones>) -> Hit {
         let (mut nearest, mut id) = (f64::INFINITY, SurfaceId { shape: NONE, part: 0 });
+        self.stop.check();
         if cones.is_none_or(|cones| cones.may_meet(ray.direction, 0.0)) {
             for pack in &self.packs {
                 pack.hits(ray, |shape, t| {
@@ -172,6 +176,7 @@ impl Aggregate {
     #[inline(always)]
     fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64, cones: Option<&ViewCones>) -> bool {
         let in_the_way = |shape: u32, t: f64| t < limit && self.counts::<SHADOWING>(shape);
+        self.stop.check();
         let may_meet = cones.is_none_or(|cones| cones.may_meet(-ray.direction, limit));
         if may_meet && self.packs.iter().any(|pack| pack.hits(ray, in_the_way)) {
             return true;

@@ -7,6 +7,7 @@ use serde::{Serialize, Serializer};
 
 use crate::choice::name_of;
 use crate::math::{DVec3, Ray, Side, Vec3};
+use crate::scene::give_up;
 use crate::shapes::Surface;
 
 /// An observer of an integrator.
@@ -23,15 +24,23 @@ impl Observer for Blind {
     fn note(&mut self, _: impl FnOnce() -> Event) {}
 }
 
-/// Keeps everything.
+/// Keeps everything, and gives up a sample with more than [`Recorder::MOST`] events.
 #[derive(Debug, Default)]
 pub struct Recorder {
     /// In the order in which they happened.
     pub events: Vec<Event>,
 }
 
+impl Recorder {
+    /// The most events that are kept: nobody reads more, and a deep tree of rays has more than fit into memory.
+    pub const MOST: usize = 1 << 20;
+}
+
 impl Observer for Recorder {
     fn note(&mut self, event: impl FnOnce() -> Event) {
+        if self.events.len() == Self::MOST {
+            give_up();
+        }
         self.events.push(event());
     }
 }
