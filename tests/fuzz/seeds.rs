@@ -5,6 +5,8 @@ use std::io::{Cursor, Write};
 use skycube::math::Vec3;
 use skycube::picture::{OutputFormat, Raster, WriteOptions, encode};
 
+use super::picture_files::{self, Kind};
+
 fn raster() -> Raster {
     Raster::from_function(24, 18, |x, y| {
         let (x, y) = (x as f32, y as f32);
@@ -12,59 +14,35 @@ fn raster() -> Raster {
     })
 }
 
-/// By the name that tells the format.
-pub fn pictures() -> Vec<(&'static str, Vec<u8>)> {
+/// By the name that tells the format: what the project writes, and every kind of file that other programs write.
+pub fn pictures() -> Vec<(&'static str, Vec<Vec<u8>>)> {
     let ours = |format| encode(&raster(), format, &WriteOptions::default()).unwrap();
     let numbers: Vec<u8> =
         raster().pixels().iter().flat_map(|pixel| pixel.to_array().map(|c| (255.0 * c) as u8)).collect();
     let floats = raster().pixels().iter().flat_map(|pixel| pixel.to_array()).flat_map(f32::to_le_bytes).collect();
     let with = |header: &[u8], pixels: Vec<u8>| [header, &pixels].concat();
-    let progressive = include_bytes!("../../src/tracer/picture/tests/fixtures/progressive.jpg").to_vec();
+    let fixtures = [
+        include_bytes!("../../src/tracer/picture/tests/fixtures/progressive.jpg").to_vec(),
+        include_bytes!("../../src/tracer/picture/tests/fixtures/restarts.jpg").to_vec(),
+    ];
+    let of = |kinds: Vec<Kind>| kinds.into_iter().map(|kind| kind.file);
     vec![
-        ("jpg", ours(OutputFormat::Jpeg)),
-        ("progressive.jpg", progressive),
-        ("png", ours(OutputFormat::Png)),
-        ("hdr", ours(OutputFormat::Hdr)),
-        ("exr", ours(OutputFormat::Exr)),
-        ("ppm", with(b"P6 24 18 255\n", numbers.clone())),
-        ("pfm", with(b"PF 24 18 -1\n", floats)),
-        ("a.tga", with(&[0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 24, 0, 18, 0, 24, 0x20], numbers.clone())),
-        ("bmp", with(&bitmap_header(), numbers.clone())),
-        ("tif", with(&tiff_header(), numbers)),
+        ("jpg", [ours(OutputFormat::Jpeg)].into_iter().chain(fixtures).collect()),
+        ("png", [ours(OutputFormat::Png)].into_iter().chain(of(picture_files::png::kinds())).collect()),
+        ("hdr", vec![ours(OutputFormat::Hdr)]),
+        ("exr", [ours(OutputFormat::Exr)].into_iter().chain(of(picture_files::exr::kinds())).collect()),
+        ("ppm", vec![with(b"P6 24 18 255\n", numbers), b"P3 2 1 15\n1 2 3 4 5 6\n".to_vec(), b"P4 9 2\nabcd".to_vec()]),
+        ("pfm", vec![with(b"PF 24 18 -1\n", floats)]),
+        ("a.tga", of(picture_files::tga::kinds()).collect()),
+        ("bmp", of(picture_files::bmp::kinds()).collect()),
+        ("tif", of(picture_files::tiff::kinds()).collect()),
+        ("webp", picture_files::webp::files()),
     ]
 }
 
-/// A bitmap of 24 by 18 pixels of three bytes; a row is 72 bytes, which needs no padding.
-fn bitmap_header() -> Vec<u8> {
-    let mut header = b"BM".to_vec();
-    [54 + 1296, 0, 54, 40, 24, 18, 1 | 24 << 16, 0, 1296, 2835, 2835, 0, 0]
-        .iter()
-        .for_each(|n: &u32| header.extend(n.to_le_bytes()));
-    header
-}
-
-/// A TIFF file of one strip: the directory, the three depths, and the pixels behind it.
-fn tiff_header() -> Vec<u8> {
-    let entries: [(u16, u16, u32, u32); 9] = [
-        (256, 3, 1, 24),
-        (257, 3, 1, 18),
-        (258, 3, 3, 122),
-        (259, 3, 1, 1),
-        (262, 3, 1, 2),
-        (273, 4, 1, 128),
-        (277, 3, 1, 3),
-        (278, 3, 1, 18),
-        (279, 4, 1, 1296),
-    ];
-    let mut header = b"II*\0\x08\0\0\0".to_vec();
-    header.extend((entries.len() as u16).to_le_bytes());
-    for (tag, kind, count, value) in entries {
-        header.extend([tag, kind].iter().flat_map(|number| number.to_le_bytes()));
-        header.extend([count, value].iter().flat_map(|number| number.to_le_bytes()));
-    }
-    header.extend([0; 4]);
-    header.extend([8u16; 3].iter().flat_map(|number| number.to_le_bytes()));
-    header
+/// The files of one of those names.
+pub fn of(name: &str) -> Vec<Vec<u8>> {
+    pictures().into_iter().find(|(known, _)| *known == name).unwrap().1
 }
 
 pub fn meshes() -> Vec<Vec<u8>> {
