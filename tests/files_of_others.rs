@@ -253,3 +253,62 @@ fn hostile_input() {
     within(&["render", "scene-mesh-negate.toml", "-o", picture], &[2]);
     within(&["render", "scene-2-28-pixels.toml", "-o", picture, "--memory", "1G"], &[2]);
 }
+
+/// A triangle whose corners have colours, seen from above under even light.
+fn write_coloured(folder: &Path, vertices: [&str; 3], material: &str) {
+    let [a, b, c] = vertices;
+    std::fs::write(folder.join("a.obj"), format!("v 0 0 0 {a}\nv 3 0 0 {b}\nv 0 3 0 {c}\nf 1 2 3\n")).unwrap();
+    let scene = ABOVE.replace("black = {", &format!("paint = {{ {material} }}, black = {{"));
+    let shape = "[[shapes]]\nkind = \"mesh\"\nfile = \"a.obj\"\nmaterial = \"paint\"\n";
+    std::fs::write(folder.join("a.toml"), format!("{scene}{shape}")).unwrap();
+}
+
+const PAINT: &str = "kind = \"lambert\", colour = \"vertex\"";
+
+#[test]
+fn colours_of_vertices_are_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let shown = |vertices: [&str; 3], material: &str| {
+        write_coloured(folder.path(), vertices, material);
+        rendered(folder.path(), "a.toml")
+    };
+    let (found, error) = shown(["1 0 0", "0 0.5 0", "0.25 0.25 1"], PAINT);
+    assert!(!error.contains("a.obj"), "{error}");
+    // The light of each code, and between the corners the mean by their weights.
+    let linear = |code: f32| if code <= 0.04045 { code / 12.92 } else { ((code + 0.055) / 1.055).powf(2.4) };
+    let corners = [[1.0, 0.0, 0.0], [0.0, 0.5, 0.0], [0.25, 0.25, 1.0]].map(|codes| Vec3::from(codes.map(linear)));
+    let mut inside = 0;
+    for (index, colour) in found.iter().enumerate() {
+        let (x, y) = ((index % 40) as f32 / 10.0 - 0.45, 3.45 - (index / 40) as f32 / 10.0);
+        // Away from the border; a pixel is a tenth wide.
+        if x < 0.2 || y < 0.2 || x + y > 2.7 {
+            continue;
+        }
+        let expected = corners[0] * (1.0 - (x + y) / 3.0) + corners[1] * (x / 3.0) + corners[2] * (y / 3.0);
+        assert!((*colour - expected).abs().max_element() < 0.04, "at {x} {y}: {colour} instead of {expected}");
+        inside += 1;
+    }
+    assert!(inside > 250, "{inside} pixels");
+    // Codes over 255; the other materials.
+    assert_eq!(shown(["255 0 0", "0 127.5 0", "63.75 63.75 255"], PAINT).0, found);
+    let phong = "kind = \"phong\", diffuse = \"vertex\"";
+    assert_eq!(shown(["1 0 0", "0 0.5 0", "0.25 0.25 1"], phong).0, found);
+    // A vertex without a colour is white.
+    let (found, error) = shown(["", "1 1 1", "1 1 1"], PAINT);
+    assert!(error.contains("a.obj: 1 of its vertices have no colour: white"), "{error}");
+    assert!((found[40 * 30 + 10] - Vec3::ONE).abs().max_element() < 1e-6);
+}
+
+#[test]
+fn colours_of_vertices_are_asked_for_where_there_are_some() {
+    let folder = tempfile::tempdir().unwrap();
+    write_coloured(folder.path(), ["1 0 0", "1 0 0", "1 0 0"], "kind = \"lambert\", colour = 0");
+    let (_, error) = rendered(folder.path(), "a.toml");
+    assert!(error.contains("a.obj: the colours of its vertices are not used"), "{error}");
+    write_coloured(folder.path(), ["", "", ""], PAINT);
+    let (code, _, error) = outcome(folder.path(), &["render", "a.toml"]);
+    assert!(code == Some(2) && error.contains("materials.paint: it takes the colours of vertices"), "{error}");
+    write_coloured(folder.path(), ["1 0 0", "1 0 0", "1 0 0"], "kind = \"lambert\", colour = \"vertices\"");
+    let (code, _, error) = outcome(folder.path(), &["render", "a.toml"]);
+    assert!(code == Some(2) && error.contains("one of vertex"), "{error}");
+}

@@ -9,6 +9,7 @@ use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, ZipArchive, ZipWriter};
 
 use crate::error::{Error, Result};
+use crate::guard::guarded;
 use crate::plain_file::{PlainFile, open_file};
 
 /// The largest face that is unpacked, in bytes: a guard against archives made to fill the memory.
@@ -35,6 +36,10 @@ pub struct ArchiveEntry {
 impl Archive {
     /// Reads the list of files.
     pub fn open(path: &Path) -> Result<Self> {
+        guarded(DOWNLOAD_AGAIN, || Self::list(path)).map_err(|error| error.in_file(path))
+    }
+
+    fn list(path: &Path) -> Result<Self> {
         let archive = open(path)?;
         let mut entries = Vec::new();
         for index in 0..archive.len() {
@@ -94,7 +99,7 @@ impl ArchiveEntry {
 
     /// The unpacked bytes, or the first ones.
     pub fn read(&self, limit: Option<u64>) -> Result<Vec<u8>> {
-        self.unpack(limit).map_err(|error| error.in_file(self.path()))
+        guarded(DOWNLOAD_AGAIN, || self.unpack(limit)).map_err(|error| error.in_file(self.path()))
     }
 
     fn unpack(&self, limit: Option<u64>) -> Result<Vec<u8>> {

@@ -11,6 +11,7 @@ use toml::de::{DeTable, DeValue};
 use super::text_file::read_text;
 use crate::choice::names_of;
 use crate::error::{Error, Result};
+use crate::guard::guarded;
 
 /// The text of a TOML file.
 pub struct Document {
@@ -62,12 +63,13 @@ impl Document {
 
     /// Parses the text.
     pub fn parse(&self) -> Result<Spanned<DeTable<'_>>> {
-        DeTable::parse(&self.text).map_err(|error| {
-            let line = error.span().map_or(1, |span| self.line(span.start));
-            Error::new(format!("not valid TOML: {}", error.message().replace('\n', "; ")))
-                .in_file(&self.file)
-                .at_line(line)
-        })
+        let parsed = guarded("look for what is unusual in it, and take it out", || {
+            DeTable::parse(&self.text).map_err(|error| {
+                let line = error.span().map_or(1, |span| self.line(span.start));
+                Error::new(format!("not valid TOML: {}", error.message().replace('\n', "; "))).at_line(line)
+            })
+        });
+        parsed.map_err(|error| error.in_file(&self.file))
     }
 
     /// The whole document as a table.
@@ -291,9 +293,9 @@ impl<'a> Value<'a> {
     }
 
     /// One of several values by their names.
-    pub fn named<T: Copy>(&self, values: &[(&str, T)]) -> Result<T> {
+    pub fn named<T: Clone>(&self, values: &[(&str, T)]) -> Result<T> {
         let names: Vec<&str> = values.iter().map(|(name, _)| *name).collect();
-        Ok(values[self.one_of(&names)?].1)
+        Ok(values[self.one_of(&names)?].1.clone())
     }
 
     /// The place of a text in a list of those that are known.

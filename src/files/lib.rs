@@ -8,6 +8,7 @@ pub mod memory;
 mod memory_budget;
 
 mod atomic_file;
+mod guard;
 mod notes;
 mod plain_file;
 mod standard_stream;
@@ -22,6 +23,7 @@ pub use atomic_file::{
     between_writes, check_folder_target, check_target, folder_of, make_folder, write_atomically, write_if_absent,
     write_together,
 };
+pub use guard::guarded;
 pub use notes::{note, take_notes};
 pub use plain_file::{PlainFile, check_plain, open_file, read_plain_file};
 pub use standard_stream::{is_standard_stream, standard_input};

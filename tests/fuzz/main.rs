@@ -32,13 +32,18 @@ use skycube::validate::{CheckOptions, ImageFacts};
 /// No input may take longer.
 const LONGEST: Duration = Duration::from_secs(5);
 
-/// The time that this process has computed, where the system says it: on a busy machine any input may take seconds.
-fn computed() -> Option<Duration> {
-    let text = std::fs::read_to_string("/proc/self/stat").ok()?;
-    let (_, fields) = text.rsplit_once(')')?;
-    // In and below the program, in hundredths of a second.
-    let ticks = fields.split_ascii_whitespace().skip(11).take(2).map(|field| field.parse::<u64>());
-    Some(Duration::from_millis(10 * ticks.sum::<Result<u64, _>>().ok()?))
+/// The time that work takes to compute, where the system says it: on a busy machine anything may take seconds.
+fn time_of<T>(work: impl FnOnce() -> T) -> Duration {
+    let computed = || {
+        let text = std::fs::read_to_string("/proc/self/stat").ok()?;
+        let (_, fields) = text.rsplit_once(')')?;
+        // By the process and by the system for it, in hundredths of a second.
+        let ticks = fields.split_ascii_whitespace().skip(11).take(2).map(|field| field.parse::<u64>());
+        Some(Duration::from_millis(10 * ticks.sum::<Result<u64, _>>().ok()?))
+    };
+    let (started, before) = (Instant::now(), computed());
+    work();
+    computed().zip(before).map_or_else(|| started.elapsed(), |(now, before)| now - before)
 }
 
 /// The most memory that is in use at once while an input is read: so many bytes for each byte that the input has or says it
@@ -54,16 +59,13 @@ fn fuzz(name: &str, seeds: &[Vec<u8>], mut target: impl FnMut(&[u8]) -> usize) {
     let (started, mut count, mut most) = (Instant::now(), 0u64, 0);
     while started.elapsed().as_secs_f64() < seconds {
         let input = mutation.changed(seeds);
-        let (begun, before) = (Instant::now(), computed());
+        let begun = Instant::now();
         let run = || allocations::peak_of(|| target(&input));
         let outcome = std::panic::catch_unwind(std::panic::AssertUnwindSafe(run));
+        let slow = begun.elapsed() > LONGEST;
         let fault = match outcome {
             Err(_) => Some("panic".to_owned()),
-            _ if begun.elapsed() > LONGEST
-                && computed().zip(before).is_none_or(|(now, before)| now - before > LONGEST) =>
-            {
-                Some("too slow".to_owned())
-            }
+            _ if slow && time_of(|| target(&input)) > LONGEST => Some("too slow".to_owned()),
             Ok((declared, taken)) => {
                 most = most.max(taken);
                 let allowed = MEMORY.0 * (input.len() + declared) + MEMORY.1;

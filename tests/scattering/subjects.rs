@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use skycube::materials::{Coat, ColourSource, METALS, Material, Metal, MetalReflectance, RoughGlass, Scattering};
-use skycube::math::{DVec2, DVec3, Vec3};
+use skycube::math::{DVec3, Vec3};
 
 pub const ROUGHNESSES: [f64; 8] = [1e-4, 1e-3, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0];
 
@@ -40,7 +40,7 @@ pub fn glass(index: f64, roughness: f64) -> Material {
 
 /// The scattering function of a material; the ratio of indices counts for glass only.
 pub fn scattering(material: &Material, relative_index: f64) -> Scattering<'_> {
-    material.scattering(DVec2::ZERO, relative_index).unwrap()
+    material.scattering(Default::default(), relative_index).unwrap()
 }
 
 /// A view with a cosine and an azimuth that is no axis.

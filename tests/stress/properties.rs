@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use skycube::envmap::{CubeFilter, CubeMap, Face, LazyImage, Preset};
 use skycube::materials::fresnel::{boundary, refract};
 use skycube::materials::{Material, Metal, MetalReflectance, RoughGlass, beer_lambert};
-use skycube::math::{DVec2, DVec3, Departure, Ray, Side, Vec3};
+use skycube::math::{DVec3, Departure, Ray, Side, Vec3};
 use skycube::picture::{Format, Header, Picture, Texels};
 use skycube::shapes::Geometry;
 use skycube::shapes::mesh::Mesh;
@@ -156,7 +156,7 @@ proptest! {
         let view = DVec3::new(((1.0 - cosine) * (1.0 + cosine)).sqrt(), 0.0, cosine);
         let mut random = Random(seed);
         for material in &materials {
-            let scattering = material.scattering(DVec2::ZERO, 1.0 / 1.5).unwrap();
+            let scattering = material.scattering(Default::default(), 1.0 / 1.5).unwrap();
             for _ in 0..200 {
                 let sample = scattering.sample(view, [random.unit(), random.unit()], random.unit());
                 let sound = sample.is_none_or(|sample| sample.weight.is_finite() && sample.weight.min_element() >= 0.0);

@@ -8,7 +8,7 @@ use super::effort::{Effort, decades, faults_of};
 use crate::limits::{ROUGHNESS, Range};
 use crate::materials::{Coat, ColourSource, Material, Metal, MetalReflectance, RoughGlass, Scattering};
 use crate::math::functions::sin_cos_turns;
-use crate::math::{DVec2, DVec3, Vec3};
+use crate::math::{DVec3, Vec3};
 use crate::parallel;
 use crate::random::{Random, power_of_ten};
 
@@ -62,7 +62,7 @@ fn white_materials(roughness: f64) -> Vec<(&'static str, Material, f64)> {
 }
 
 fn scattering<'a>((_, material, index): &'a (&'static str, Material, f64)) -> Scattering<'a> {
-    material.scattering(DVec2::ZERO, *index).expect("it scatters")
+    material.scattering(Default::default(), *index).expect("it scatters")
 }
 
 fn view(cosine: f64) -> DVec3 {

@@ -63,7 +63,8 @@ impl ColourSpace {
                 });
                 (tables([curve.clone(), curve.clone(), curve]), DMat3::IDENTITY)
             }
-            DataColorSpace::Rgb if !grey && profile.lut_a_to_b_perceptual.is_none() => {
+            // Where a profile has tables, too, curves and matrix say the same more coarsely.
+            DataColorSpace::Rgb if !grey && profile.red_trc.is_some() => {
                 let curves = [
                     table(codes, |wide| match wide {
                         false => profile.build_r_linearize_table::<u8, 256, 8>(true).ok().map(|table| table.to_vec()),
@@ -180,7 +181,7 @@ fn encode_srgb(light: f64) -> f64 {
 }
 
 /// The content of a chunk before the pixels.
-fn png_chunk<'a>(encoded: &'a [u8], wanted: &[u8; 4]) -> Option<&'a [u8]> {
+pub fn png_chunk<'a>(encoded: &'a [u8], wanted: &[u8; 4]) -> Option<&'a [u8]> {
     let mut rest = encoded.get(8..)?;
     while let Some((length, behind)) = rest.split_first_chunk::<4>() {
         let (kind, content) = behind.split_first_chunk::<4>()?;
@@ -228,6 +229,8 @@ fn rows(matrix: DMat3) -> [[f32; 3]; 3] {
 
 #[cfg(test)]
 mod tests {
+    use moxcms::{LutDataType, LutStore, LutType, LutWarehouse};
+
     use super::*;
 
     #[test]
@@ -257,6 +260,28 @@ mod tests {
         let half = space.curves.unwrap()[0][32768];
         assert!((half - 0.5_f32.powf(2.2)).abs() < 1e-3, "{half}");
         assert!(ColourSpace::of_profile(b"no profile", 256, false).is_err());
+    }
+
+    #[test]
+    fn profiles_of_tables_are_read_by_their_curves_or_named() {
+        let table = LutDataType {
+            num_input_channels: 3,
+            num_output_channels: 3,
+            num_clut_grid_points: 2,
+            matrix: moxcms::Matrix3d::IDENTITY,
+            num_input_table_entries: 256,
+            num_output_table_entries: 256,
+            input_table: LutStore::Store8((0..=255).collect::<Vec<u8>>().repeat(3)),
+            clut_table: LutStore::Store8(vec![128; 24]),
+            output_table: LutStore::Store8((0..=255).collect::<Vec<u8>>().repeat(3)),
+            lut_type: LutType::Lut8,
+        };
+        let mut profile = ColorProfile::new_srgb();
+        profile.lut_a_to_b_perceptual = Some(LutWarehouse::Lut(table));
+        assert_eq!(ColourSpace::of_profile(&profile.encode().unwrap(), 256, false), Ok(None));
+        (profile.red_trc, profile.green_trc, profile.blue_trc, profile.cicp) = (None, None, None, None);
+        let note = ColourSpace::of_profile(&profile.encode().unwrap(), 256, false).unwrap_err();
+        assert!(note.contains("tables") && note.contains("read as sRGB"), "{note}");
     }
 
     #[test]

@@ -2,11 +2,14 @@
 
 use std::path::Path;
 
-use super::guard::guarded;
 use super::{Decoded, Format, Header, PixelLoops, netpbm, openexr, still, unsupported};
 use crate::error::Result;
+use crate::guard::guarded;
 use crate::notes::note;
 use crate::plain_file::read_plain_file;
+
+/// What to do with a file that a decoder fails at.
+const SAVE_AGAIN: &str = "save it again as PNG with an image editor, or download it again";
 
 /// Decodes a picture from the bytes of its file. `name` is what errors call it.
 ///
@@ -15,7 +18,7 @@ pub fn decode(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Dec
     let format = format_of(encoded, name)?;
     let header = read_header(encoded, name, loops)?;
     let _claim = header.claim(encoded).map_err(|error| error.in_file(name))?;
-    let picture = guarded(|| match format {
+    let picture = guarded(SAVE_AGAIN, || match format {
         Format::Exr => openexr::decode(encoded, loops),
         Format::Ppm | Format::Pfm => netpbm::decode(encoded),
         format => still::decode(encoded, format, loops),
@@ -28,7 +31,7 @@ pub fn decode(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Dec
 /// What the file says of its picture, without decoding the pixels.
 pub fn read_header(encoded: &[u8], name: &Path, loops: &dyn PixelLoops) -> Result<Header> {
     let format = format_of(encoded, name)?;
-    let header = guarded(|| match format {
+    let header = guarded(SAVE_AGAIN, || match format {
         Format::Exr => openexr::read_header(encoded),
         Format::Ppm | Format::Pfm => netpbm::read_header(encoded),
         format => still::read_header(encoded, format, loops),

@@ -8,7 +8,9 @@ use image::{
 
 use super::header::{MEMORY_LIMIT, check_size, damaged};
 use super::orientation::Orientation;
-use super::{ColourSpace, Decoded, Format, Header, PixelLoops, Samples, jpeg_extent, radiance_header, tiff_tags};
+use super::{
+    ColourSpace, Decoded, Format, Header, PixelLoops, Samples, jpeg_extent, palette, radiance_header, tiff_tags,
+};
 use crate::error::Result;
 use crate::memory::zeros_on_large_pages;
 
@@ -31,6 +33,8 @@ pub fn decode(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Result<
     };
     let samples = samples.map_err(|error| explain(format, &error))?;
     let (space, mut notes) = colours(encoded, format, profile.as_deref(), &samples);
+    notes.extend(palette::note(encoded, format, &samples));
+    notes.extend(if format == Format::Tiff { tiff_tags::note(encoded) } else { None });
     notes.extend(orientation.note());
     Ok(Decoded { header, samples: orientation.applied(samples, [stored.0 as usize, stored.1 as usize]), space, notes })
 }
@@ -67,6 +71,9 @@ pub fn read_header(encoded: &[u8], format: Format, loops: &dyn PixelLoops) -> Re
 fn open<'a>(encoded: &'a [u8], format: Format, loops: &dyn PixelLoops) -> Result<Box<dyn ImageDecoder + 'a>> {
     if format == Format::Tiff && tiff_tags::fill_order(encoded) == Some(2) {
         return Err(damaged(format, "its bits are stored from the lowest to the highest (FillOrder 2)"));
+    }
+    if format == Format::Tiff && tiff_tags::claims_too_much(encoded) {
+        return Err(damaged(format, "one of its tags claims more bytes than the file has"));
     }
     if format == Format::Hdr {
         radiance_header::check(encoded)?;

@@ -5,8 +5,9 @@ use std::sync::Arc;
 use crate::math::functions::floor;
 use crate::math::{DVec2, Vec3};
 use crate::picture::Texture;
+use crate::shapes::TexturePoint;
 
-/// A colour over a surface: one for all, two in a checker, or a picture.
+/// A colour over a surface: one for all, two in a checker, a picture, or the colours of a mesh's vertices.
 #[derive(Debug, Clone)]
 pub enum ColourSource {
     /// One linear RGB colour.
@@ -15,6 +16,8 @@ pub enum ColourSource {
     Checker(Checker),
     /// A picture over texture coordinates.
     Image(ImageTexture),
+    /// The colours of the vertices, interpolated.
+    Vertex,
 }
 
 /// Two colours in squares.
@@ -38,13 +41,14 @@ pub struct ImageTexture {
 }
 
 impl ColourSource {
-    /// Linear colour at texture coordinates whose v grows upwards.
+    /// Linear colour at a point of a surface.
     #[inline]
-    pub fn at(&self, texture_coordinates: DVec2) -> Vec3 {
+    pub fn at(&self, point: TexturePoint) -> Vec3 {
         match self {
             ColourSource::Uniform(colour) => *colour,
-            ColourSource::Checker(checker) => checker.at(texture_coordinates),
-            ColourSource::Image(image) => image.at(texture_coordinates),
+            ColourSource::Checker(checker) => checker.at(point.coordinates),
+            ColourSource::Image(image) => image.at(point.coordinates),
+            ColourSource::Vertex => point.vertex_colour,
         }
     }
 }

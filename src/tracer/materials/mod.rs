@@ -32,7 +32,8 @@ pub use specular::{Mirror, SmoothBoundary};
 
 use std::sync::Arc;
 
-use crate::math::{DVec2, Vec3};
+use crate::math::Vec3;
+use crate::shapes::TexturePoint;
 
 /// What a surface does with light. Reflectances are linear RGB in `[0, 1]`.
 #[derive(Debug, Clone)]
@@ -90,20 +91,16 @@ impl Material {
     ///
     /// `relative_index` is the index of refraction on the viewer's side over that on the other; only glass asks for it.
     #[inline]
-    pub fn scattering(&self, texture_coordinates: DVec2, relative_index: f64) -> Option<Scattering<'_>> {
+    pub fn scattering(&self, point: TexturePoint, relative_index: f64) -> Option<Scattering<'_>> {
         match self {
             Material::Normals | Material::TextureCoordinates | Material::Light { .. } => None,
-            Material::Lambert { colour } => {
-                Some(Scattering::Diffuse(Diffuse { colour: colour.at(texture_coordinates) }))
+            Material::Lambert { colour } => Some(Scattering::Diffuse(Diffuse { colour: colour.at(point) })),
+            Material::Phong { diffuse, specular, exponent } => {
+                Some(Scattering::Phong(Phong { diffuse: diffuse.at(point), specular: *specular, exponent: *exponent }))
             }
-            Material::Phong { diffuse, specular, exponent } => Some(Scattering::Phong(Phong {
-                diffuse: diffuse.at(texture_coordinates),
-                specular: *specular,
-                exponent: *exponent,
-            })),
-            Material::Mirror { colour } => Some(Scattering::Mirror(Mirror { colour: colour.at(texture_coordinates) })),
+            Material::Mirror { colour } => Some(Scattering::Mirror(Mirror { colour: colour.at(point) })),
             Material::Metal(metal) => Some(Scattering::Metal(metal)),
-            Material::Coated { coat, colour } => Some(Scattering::Coated(coat.over(colour.at(texture_coordinates)))),
+            Material::Coated { coat, colour } => Some(Scattering::Coated(coat.over(colour.at(point)))),
             Material::Glass { .. } if relative_index == 1.0 => Some(Scattering::Passing),
             Material::Glass { rough, .. } => {
                 let rough = rough.as_ref().and_then(|glass| glass.boundary(relative_index));
@@ -125,8 +122,8 @@ impl Material {
     }
 
     /// Share of the light that is reflected or transmitted at one place; 0 for debugging colours and pure lights.
-    pub fn albedo(&self, texture_coordinates: DVec2) -> Vec3 {
-        self.scattering(texture_coordinates, 1.0).map_or(Vec3::ZERO, |scattering| scattering.albedo())
+    pub fn albedo(&self, point: TexturePoint) -> Vec3 {
+        self.scattering(point, 1.0).map_or(Vec3::ZERO, |scattering| scattering.albedo())
     }
 
     /// True if light passes through.
@@ -151,7 +148,7 @@ impl Material {
 
     /// The scattering function somewhere, at some boundary.
     fn any_place(&self) -> Option<Scattering<'_>> {
-        self.scattering(DVec2::ZERO, 1.5)
+        self.scattering(TexturePoint::default(), 1.5)
     }
 
     /// True for glass without microfacets.
@@ -166,14 +163,27 @@ impl Material {
 
     /// True if the colour differs from place to place on a surface.
     pub fn needs_texture_coordinates(&self) -> bool {
-        let varies = |colour: &ColourSource| !matches!(colour, ColourSource::Uniform(_));
+        let varies = |colour: &ColourSource| matches!(colour, ColourSource::Checker(_) | ColourSource::Image(_));
+        matches!(self, Material::TextureCoordinates) || self.colour().is_some_and(varies)
+    }
+
+    /// True if it shows the colours of a mesh's vertices.
+    pub fn needs_vertex_colours(&self) -> bool {
+        matches!(self.colour(), Some(ColourSource::Vertex))
+    }
+
+    /// The colour that may differ from place to place.
+    fn colour(&self) -> Option<&ColourSource> {
         match self {
-            Material::TextureCoordinates => true,
             Material::Lambert { colour } | Material::Mirror { colour } | Material::Coated { colour, .. } => {
-                varies(colour)
+                Some(colour)
             }
-            Material::Phong { diffuse, .. } => varies(diffuse),
-            Material::Normals | Material::Metal(_) | Material::Glass { .. } | Material::Light { .. } => false,
+            Material::Phong { diffuse, .. } => Some(diffuse),
+            Material::Normals
+            | Material::TextureCoordinates
+            | Material::Metal(_)
+            | Material::Glass { .. }
+            | Material::Light { .. } => None,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::conductor::MetalReflectance;
 use super::{Coat, Material, Metal, RoughGlass};
-use crate::math::{DVec2, DVec3, Vec3};
+use crate::math::{DVec3, Vec3};
 
 const ROUGHNESSES: [f64; 9] = [1e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3, 0.6, 1.0];
 
@@ -47,7 +47,7 @@ fn rough_glass_sends_no_negative_light_at_the_horizon() {
         for step in 1..100 {
             let depth = f64::from(step) / 100.0;
             let light = DVec3::new(0.0, -(1.0 - depth * depth).sqrt(), -depth);
-            let evaluation = glass.scattering(DVec2::ZERO, 1.0 / 1.5).unwrap().evaluate(view, light);
+            let evaluation = glass.scattering(Default::default(), 1.0 / 1.5).unwrap().evaluate(view, light);
             assert!(evaluation.value.min_element() >= 0.0 && evaluation.density >= 0.0, "{cosine} {evaluation:?}");
         }
     }

@@ -238,8 +238,7 @@ impl Scan<'_> {
                 }
             }
         }
-        let left_over = self.bits.left_over();
-        Some(match left_over > MOST_LEFT_OVER || self.end_of_band > 0 {
+        Some(match !self.bits.are_at_their_end() || self.end_of_band > 0 {
             true => ControlFlow::Break("its data do not match its size: bytes are missing or were changed".to_owned()),
             false => ControlFlow::Continue(self.bits.position - self.bits.unread()),
         })
@@ -458,16 +457,26 @@ impl<'a> Bits<'a> {
         self.count as usize / 8
     }
 
-    /// Bytes before the next marker.
-    fn left_over(&mut self) -> usize {
+    /// True if nothing but padding stands before the next marker: bits that are all 1 (or, from some writers, 0) up to the end
+    /// of the byte, and a few bytes that are all the same. Data that were changed and still have the right count of blocks
+    /// rarely end so.
+    fn are_at_their_end(&self) -> bool {
+        let bits = self.count % 8;
+        let padding = self.window >> (63 - bits) >> 1;
+        let fetched = (0..self.count / 8).map(|byte| (self.window << bits >> (56 - 8 * byte)) as u8);
         let rest = &self.data[self.position..];
         let is_marker = |pair: &[u8]| pair[0] == 0xFF && !matches!(pair[1], 0 | 0xFF);
-        self.unread() + rest.windows(2).position(is_marker).unwrap_or(rest.len())
+        let rest = &rest[..rest.windows(2).position(is_marker).unwrap_or(rest.len())];
+        let mut left = fetched.chain(rest.iter().copied());
+        let first = left.next();
+        (padding == 0 || padding + 1 == 1 << bits)
+            && self.unread() + rest.len() <= MOST_LEFT_OVER
+            && left.all(|byte| Some(byte) == first)
     }
 
     /// Goes behind the restart marker that has to stand here.
     fn restart(&mut self) -> bool {
-        let here = self.left_over() <= MOST_LEFT_OVER;
+        let here = self.are_at_their_end();
         let rest = &self.data[self.position..];
         let Some(marker) = rest.windows(2).position(|pair| pair[0] == 0xFF && !matches!(pair[1], 0 | 0xFF)) else {
             return false;

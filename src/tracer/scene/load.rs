@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-use skycube_files::document::{Document, Table};
+use skycube_files::document::{Document, Table, Value};
 
 use super::aggregate::Aggregate;
 use super::material::TextureStore;
@@ -16,7 +16,7 @@ use crate::error::Result;
 use crate::lights::Light;
 use crate::materials::Material;
 use crate::sampling::Sampling;
-use crate::shapes::Primitive;
+use crate::shapes::{Geometry, Primitive};
 
 /// Everything a picture is computed from.
 #[derive(Debug)]
@@ -149,9 +149,13 @@ impl PlacedShapes {
         let shown: BTreeSet<u32> = numbers.copied().collect();
         for (number, (_, value)) in (0..).zip(&described) {
             let material = material::read(value.table()?, shapes.textures, shown.contains(&number))?;
+            if material.needs_vertex_colours() {
+                check_vertex_colours(number, value, &primitives)?;
+            }
             shapes.materials[number as usize] = material;
         }
         shapes.check_glass();
+        shapes.check_vertex_colours();
         let material_names = shapes.names_of_materials();
         let mut materials = std::mem::take(&mut shapes.materials);
         material::prepare_for_each_other(&mut materials, &shown);
@@ -163,6 +167,20 @@ impl PlacedShapes {
         files.extend(textures.files().cloned());
         Ok(Self { primitives, materials, material_names, files, notes })
     }
+}
+
+/// An error if a shape that shows a material of the vertices' colours has no such colours.
+fn check_vertex_colours(number: u32, material: &Value, primitives: &[Primitive]) -> Result<()> {
+    let without = |primitive: &&Primitive| match &primitive.geometry {
+        _ if !primitive.material.numbers().contains(&number) => false,
+        Geometry::Mesh(mesh) => mesh.geometry().colours.is_empty(),
+        _ => true,
+    };
+    let Some(primitive) = primitives.iter().find(without) else { return Ok(()) };
+    let shape = primitive.geometry.name();
+    Err(material
+        .error(format!("it takes the colours of vertices, but a shape that shows it, a {shape}, has none"))
+        .expected("meshes whose OBJ files have colours (v x y z red green blue)"))
 }
 
 fn optional_table<'a>(root: &mut Table<'a>, key: &'static str) -> Result<Option<Table<'a>>> {

@@ -75,8 +75,8 @@ fn read_phong(table: &mut Table, textures: &mut TextureStore) -> Result<Material
     let brightest = match &diffuse {
         ColourSource::Uniform(colour) => *colour,
         ColourSource::Checker(checker) => checker.even.max(checker.odd),
-        // A picture's texels are not known to reach 1.
-        ColourSource::Image(_) => Vec3::ZERO,
+        // Texels and vertices are not known to reach 1.
+        ColourSource::Image(_) | ColourSource::Vertex => Vec3::ZERO,
     };
     // A little above 1 is rounding: 0.9 + 0.1.
     if let Some(value) = highlight.filter(|_| (brightest + specular).max_element() > 1.0 + 1e-6) {
@@ -158,8 +158,11 @@ fn white_or(value: Option<Value>, textures: &mut TextureStore) -> Result<ColourS
     value.map_or(Ok(ColourSource::Uniform(Vec3::ONE)), |value| reflectance(&value, textures))
 }
 
-/// A colour, `{ checker = [even, odd], repeat = [..] }` or `{ image = "file", repeat = [..], filter = ".." }`.
+/// A colour, `"vertex"`, `{ checker = [even, odd], repeat = [..] }` or `{ image = "file", repeat = [..], filter = ".." }`.
 fn reflectance(value: &Value, textures: &mut TextureStore) -> Result<ColourSource> {
+    if value.text().is_ok() {
+        return value.named(&[("vertex", ColourSource::Vertex)]);
+    }
     if !value.is_table() {
         return uniform_reflectance(value).map(ColourSource::Uniform);
     }

@@ -154,6 +154,23 @@ impl<'a> ShapeReader<'a> {
         Ok(MaterialChoice::PerGroup(numbers))
     }
 
+    /// Notes on colours of vertices: that nothing shows them, or that some vertices have none.
+    pub(super) fn check_vertex_colours(&mut self) {
+        let mut notes = BTreeSet::new();
+        for (path, object) in self.meshes.iter().filter(|(_, object)| !object.mesh.geometry().colours.is_empty()) {
+            let mut numbers =
+                self.shown.iter().filter(|(shown, _)| shown == path).flat_map(|(_, choice)| choice.numbers());
+            let used = numbers.any(|&number| self.materials[number as usize].needs_vertex_colours());
+            let name = path.display();
+            match object.uncoloured {
+                _ if !used => notes.insert(format!("{name}: the colours of its vertices are not used")),
+                0 => false,
+                count => notes.insert(format!("{name}: {count} of its vertices have no colour: white")),
+            };
+        }
+        self.notes.extend(notes);
+    }
+
     /// Notes on glass whose inside cannot be told from its outside.
     pub(super) fn check_glass(&mut self) {
         let mut notes = BTreeSet::new();

@@ -16,7 +16,7 @@ mod view_cones;
 
 pub use extent::BoundingSphere;
 pub use flat::Outline;
-pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface};
+pub use primitive::{Geometry, Hit, MaterialChoice, Primitive, Surface, TexturePoint};
 pub use sampling::{ShapeSample, ShapeSampler};
 pub use sphere_pack::SpherePack;
 pub use view_cones::ViewCones;

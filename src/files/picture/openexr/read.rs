@@ -10,6 +10,7 @@ use exr::meta::header::Header as Layer;
 
 use super::channels::{ColourChannels, kind_of};
 use crate::error::{Error, Result};
+use crate::guard::guarded;
 use crate::picture::header::{check_size, damaged};
 use crate::picture::{ColourSpace, Decoded, Format, Header, PixelLoops, Samples, Stretch};
 
@@ -24,7 +25,7 @@ pub enum EnvironmentLayout {
 
 /// What the `envmap` attribute of an OpenEXR file says; `None` if it has none or is not a readable OpenEXR file.
 pub fn exr_environment(encoded: &[u8]) -> Option<EnvironmentLayout> {
-    let reader = open(encoded).ok()?;
+    let reader = guarded("", || open(encoded)).ok()?;
     Some(match reader.headers().first()?.own_attributes.environment_map? {
         EnvironmentMap::Cube => EnvironmentLayout::Cube,
         EnvironmentMap::LatitudeLongitude => EnvironmentLayout::LatitudeLongitude,

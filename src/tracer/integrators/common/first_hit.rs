@@ -20,7 +20,7 @@ impl FirstHit {
     pub fn of(scene: &Scene, ray: &Ray) -> Option<Self> {
         let hit = scene.shapes.intersect(ray)?;
         let surface = scene.shapes.surface(ray, &hit);
-        let albedo = scene.materials[surface.material as usize].albedo(surface.texture_coordinates);
+        let albedo = scene.materials[surface.material as usize].albedo(surface.texture);
         Some(Self { normal: View::new(&surface, ray.direction).shading_normal, albedo, distance: hit.t })
     }
 }

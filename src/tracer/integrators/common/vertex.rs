@@ -38,7 +38,7 @@ impl<'s> Vertex<'s> {
         } else {
             1.0
         };
-        let scattering = material.scattering(surface.texture_coordinates, relative_index)?;
+        let scattering = material.scattering(surface.texture, relative_index)?;
         let frame = Frame::around(view.shading_normal);
         let towards_viewer = frame.to_local(-direction);
         let visible = towards_viewer.z > 0.0;

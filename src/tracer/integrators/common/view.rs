@@ -81,7 +81,7 @@ impl Reflection {
 /// What a surface shows to a ray of a direction.
 #[inline(always)]
 pub fn appearance(material: &Material, surface: &Surface, view: &View, direction: DVec3) -> Appearance {
-    let place = surface.texture_coordinates;
+    let place = surface.texture;
     let reflecting = |diffuse, highlight| Appearance::Reflecting(Reflection { diffuse, highlight });
     match material {
         Material::Normals | Material::TextureCoordinates => {
@@ -116,7 +116,8 @@ pub fn debug_colour(material: &Material, surface: &Surface) -> Option<(&'static 
     match material {
         Material::Normals => Some((NORMAL_COLOUR, normal_colour(surface.shading_normal))),
         Material::TextureCoordinates => {
-            let fraction = (surface.texture_coordinates - surface.texture_coordinates.floor()).as_vec2();
+            let coordinates = surface.texture.coordinates;
+            let fraction = (coordinates - coordinates.floor()).as_vec2();
             Some(("texture coordinates as red and green", Vec3::new(fraction.x, fraction.y, 0.0)))
         }
         _ => None,

@@ -124,7 +124,7 @@ impl Pass<'_, '_> {
             let origin = Origin { path: *number, position, id, material, view };
             match &scene.materials[material as usize] {
                 Material::Mirror { colour } if plan.reflection => {
-                    found.mirrors.push(Mirror { origin, colour: colour.at(surface.texture_coordinates) });
+                    found.mirrors.push(Mirror { origin, colour: colour.at(surface.texture) });
                 }
                 Material::Glass { .. } if plan.refraction => {
                     let met = enclosed(id, material);

@@ -60,7 +60,7 @@ pub fn radiance<O: Observer>(task: &mut Task<O>, path: &Path) -> Vec3 {
     let arrived = Path { media, weight: path.weight * transmittance, ..*path };
     let radiance = match &scene.materials[surface.material as usize] {
         Material::Mirror { colour } if task.plan.reflection => {
-            reflected(task, &arrived, &surface, &view, colour.at(surface.texture_coordinates))
+            reflected(task, &arrived, &surface, &view, colour.at(surface.texture))
         }
         Material::Glass { .. } if task.plan.refraction => through_glass(task, &arrived, &surface, &view, &glass),
         _ => phong::shade(task, ray, &surface, &view),

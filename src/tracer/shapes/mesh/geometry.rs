@@ -17,6 +17,8 @@ pub struct MeshGeometry {
     pub normals: Vec<Vec3>,
     /// Texture coordinates of each vertex, or empty: then they are (0, 0).
     pub texture_coordinates: Vec<Vec2>,
+    /// Linear RGB of each vertex, or empty: then it is black.
+    pub colours: Vec<Vec3>,
     /// Three vertices of each triangle.
     pub triangles: Vec<[u32; 3]>,
     /// Material group of each triangle, or empty: then all are of group 0.
@@ -73,6 +75,7 @@ impl MeshGeometry {
         let vertices = self.positions.len();
         check_length("normals", self.normals.len(), vertices)?;
         check_length("texture coordinates", self.texture_coordinates.len(), vertices)?;
+        check_length("colours", self.colours.len(), vertices)?;
         check_length("material groups", self.materials.len(), self.triangles.len())?;
         self.check_vertices()?;
         let outside = |triangle: &[u32; 3]| triangle.iter().any(|&vertex| vertex as usize >= vertices);

@@ -1,7 +1,7 @@
 //! A point on the mesh.
 
 use super::Mesh;
-use crate::math::{DVec3, Vec2};
+use crate::math::{DVec3, Vec2, Vec3};
 
 /// What there is to know of a point on the mesh, in the mesh's own space.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +15,8 @@ pub struct MeshPoint {
     pub shading_normal: DVec3,
     /// Interpolated, not wrapped. (0, 0) if the mesh has none. In OBJ files `v` grows upwards in the picture.
     pub texture_coordinates: Vec2,
+    /// Linear RGB, interpolated; black if the mesh has no colours.
+    pub vertex_colour: Vec3,
     /// Material group of the triangle.
     pub material: u32,
 }
@@ -33,6 +35,11 @@ impl Mesh {
         } else {
             mix(vertices.map(|vertex| geometry.texture_coordinates[vertex].extend(0.0).as_dvec3())).truncate().as_vec2()
         };
+        let vertex_colour = if geometry.colours.is_empty() {
+            Vec3::ZERO
+        } else {
+            mix(vertices.map(|vertex| geometry.colours[vertex].as_dvec3())).as_vec3()
+        };
         MeshPoint {
             position: mix(vertices.map(|vertex| geometry.positions[vertex].as_dvec3())),
             geometric_normal,
@@ -40,6 +47,7 @@ impl Mesh {
                 .shading_normal(vertices, mix)
                 .map_or(geometric_normal, |normal| if normal.dot(geometric_normal) < 0.0 { -normal } else { normal }),
             texture_coordinates,
+            vertex_colour,
             material: geometry.materials.get(triangle as usize).copied().unwrap_or(0),
         }
     }

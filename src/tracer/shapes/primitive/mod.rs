@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::flat::{Height, Outline};
 use super::mesh::Mesh;
-use crate::math::{DVec2, DVec3, SurfaceId, Transform};
+use crate::math::{DVec2, DVec3, SurfaceId, Transform, Vec3};
 
 /// A shape with its place and material.
 #[derive(Debug, Clone)]
@@ -102,12 +102,21 @@ pub struct Surface {
     pub normal: DVec3,
     /// Unit normal to shade with: interpolated over smooth meshes, otherwise the true one.
     pub shading_normal: DVec3,
-    /// v grows upwards, 0 at the bottom of a picture.
-    pub texture_coordinates: DVec2,
+    /// Where the colours of its material are looked up.
+    pub texture: TexturePoint,
     /// Number of the material in the scene.
     pub material: u32,
     /// Which shape, and which triangle of a mesh.
     pub id: SurfaceId,
+}
+
+/// Where on a surface a colour is looked up.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct TexturePoint {
+    /// v grows upwards, 0 at the bottom of a picture.
+    pub coordinates: DVec2,
+    /// Linear RGB between the vertices of a mesh; black where they have no colours.
+    pub vertex_colour: Vec3,
 }
 
 impl Primitive {

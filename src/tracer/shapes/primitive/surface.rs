@@ -2,7 +2,7 @@
 
 use super::super::mesh::Mesh;
 use super::super::{cuboid, sphere};
-use super::{Hit, Kernel, Primitive, Surface};
+use super::{Hit, Kernel, Primitive, Surface, TexturePoint};
 use crate::math::{DVec2, DVec3, Ray};
 
 impl Primitive {
@@ -49,9 +49,10 @@ impl Primitive {
 
     #[inline(always)]
     fn surface_at(&self, position: DVec3, normal: DVec3, place: impl FnOnce() -> DVec2, hit: &Hit) -> Surface {
-        let texture_coordinates = if self.textured { place() } else { DVec2::ZERO };
+        let coordinates = if self.textured { place() } else { DVec2::ZERO };
+        let texture = TexturePoint { coordinates, ..TexturePoint::default() };
         let material = self.material.of_group(0);
-        Surface { position, normal, shading_normal: normal, texture_coordinates, material, id: hit.id }
+        Surface { position, normal, shading_normal: normal, texture, material, id: hit.id }
     }
 
     #[inline(never)]
@@ -61,7 +62,10 @@ impl Primitive {
             position: self.to_world(point.position),
             normal: self.transform.normal_to_world(point.geometric_normal),
             shading_normal: self.transform.normal_to_world(point.shading_normal),
-            texture_coordinates: point.texture_coordinates.as_dvec2(),
+            texture: TexturePoint {
+                coordinates: point.texture_coordinates.as_dvec2(),
+                vertex_colour: point.vertex_colour,
+            },
             material: self.material.of_group(point.material),
             id: hit.id,
         }

@@ -5,9 +5,12 @@ use std::num::IntErrorKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use skycube_files::guarded;
+
 use super::materials::ObjMaterials;
 use super::polygon::Triangulation;
 use super::statements::{Mention, number, read_text, shortened, statements, words};
+use crate::colour::decode_srgb;
 use crate::error::{Error, Result};
 use crate::math::{Bounds, DVec3, Vec2, Vec3};
 use crate::shapes::mesh::{Mesh, MeshGeometry};
@@ -29,14 +32,19 @@ pub struct ObjFile {
     pub libraries: Vec<Mention>,
     /// What of the file was read with goodwill or left out.
     pub remarks: Vec<String>,
+    /// How many vertices of a file with colours have none: they are white.
+    pub uncoloured: usize,
     path: PathBuf,
 }
 
 impl ObjFile {
     /// Reads an OBJ file. An error names the file and the line.
     pub fn read(path: impl AsRef<Path>) -> Result<Self> {
-        let path = path.as_ref();
-        Self::parse(path).map_err(|error| error.in_file(path))
+        Self::read_by(path.as_ref(), Self::parse)
+    }
+
+    fn read_by(path: &Path, parse: impl FnOnce(&Path) -> Result<Self>) -> Result<Self> {
+        guarded(NOT_READ, || parse(path)).map_err(|error| error.in_file(path))
     }
 
     fn parse(path: &Path) -> Result<Self> {
@@ -47,11 +55,13 @@ impl ObjFile {
             reader.read(line, keyword, rest, &mut triangulation).map_err(|error| error.at_line(line))?;
         }
         drop(text);
+        reader.complete_colours();
         let (geometry, centre) = reader.geometry();
         Ok(Self {
             mesh: Arc::new(Mesh::new(geometry)?),
             centre,
             remarks: reader.remarks(),
+            uncoloured: reader.colours.iter().filter(|colour| colour.is_none()).count(),
             groups: reader.groups,
             libraries: reader.libraries,
             path: path.to_owned(),
@@ -63,9 +73,13 @@ impl ObjFile {
     /// An error names the file and the line: an MTL file that is missing or cannot be read, a material that none of them
     /// describes.
     pub fn materials(&self) -> Result<ObjMaterials> {
-        ObjMaterials::read(&self.groups, &self.libraries, &self.path).map_err(|error| error.in_file(&self.path))
+        guarded(NOT_READ, || ObjMaterials::read(&self.groups, &self.libraries, &self.path))
+            .map_err(|error| error.in_file(&self.path))
     }
 }
+
+/// What to do with a file at which a part of the reader fails.
+const NOT_READ: &str = "save it again with another program, or download it again";
 
 /// A corner of a face: the numbers of its position, texture coordinates and normal, from 0.
 type Corner = [u32; 3];
@@ -80,6 +94,8 @@ const NONE: u32 = u32::MAX;
 #[derive(Default)]
 struct Reader {
     positions: Vec<DVec3>,
+    /// As the file has them, for each position; empty until the first.
+    colours: Vec<Option<Vec3>>,
     texture_coordinates: Vec<Vec2>,
     normals: Vec<Vec3>,
     /// Every corner once.
@@ -180,21 +196,24 @@ impl Reader {
         if finite {
             return value;
         }
-        let _ = self.odd(line, "a normal or texture coordinate that is not finite counts as missing");
+        let _ = self.odd(line, "a normal, texture coordinate or colour that is not finite counts as missing");
         otherwise
     }
 
     /// `v x y z`, `v x y z w` (homogeneous) or `v x y z r g b`.
     fn read_position(&mut self, line: usize, rest: &str) -> Result<()> {
-        let (numbers, count) = self.read_numbers::<4>(line, rest, 3)?;
-        let [x, y, z, w] = numbers;
+        let (numbers, count) = self.read_numbers::<6>(line, rest, 3)?;
+        let [x, y, z, w, ..] = numbers;
         let mut position = DVec3::new(x, y, z);
         if count == 4 && w != 1.0 {
             position /= w;
             self.odd(line, "homogeneous coordinates x y z w are divided by w")?;
         }
         if count >= 6 {
-            self.odd(line, "colours of vertices are not used")?;
+            let colour = DVec3::from_slice(&numbers[3..]).as_vec3();
+            let colour = self.finite_or(line, Some(colour), colour.is_finite(), None);
+            self.colours.resize(self.positions.len(), None);
+            self.colours.push(colour);
         }
         if position.is_nan() || position.abs().max_element() > LARGEST_COORDINATE {
             return Err(Error::new(format!("found \"{}\"", shortened(rest)))
@@ -287,6 +306,25 @@ impl Reader {
         Ok(corner)
     }
 
+    /// All vertices of a file have a colour, or none has.
+    fn complete_colours(&mut self) {
+        if !self.colours.is_empty() {
+            self.colours.resize(self.positions.len(), None);
+        }
+    }
+
+    /// The colours of the vertices in linear light. Files hold codes of sRGB, over 255 or, from some exporters, not.
+    fn linear_colours(&self) -> Vec<Vec3> {
+        if self.colours.is_empty() {
+            return Vec::new();
+        }
+        let brightest = self.colours.iter().flatten().map(|colour| colour.max_element()).fold(0.0, f32::max);
+        let white = if brightest > 1.0 { 255.0 } else { 1.0 };
+        let linear = |code: f32| decode_srgb(f64::from((code / white).clamp(0.0, 1.0))) as f32;
+        let colour = |vertex: &Corner| self.colours[vertex[0] as usize].unwrap_or(Vec3::splat(white)).to_array();
+        self.vertices.iter().map(|vertex| Vec3::from(colour(vertex).map(linear))).collect()
+    }
+
     /// The mesh, and where its origin lies in the file's coordinates.
     fn geometry(&mut self) -> (MeshGeometry, DVec3) {
         let position = |vertex: &Corner| self.positions[vertex[0] as usize];
@@ -295,6 +333,7 @@ impl Reader {
             positions: self.vertices.iter().map(|vertex| (position(vertex) - centre).as_vec3()).collect(),
             texture_coordinates: attribute(&self.vertices, 1, &self.texture_coordinates),
             normals: attribute(&self.vertices, 2, &self.normals),
+            colours: self.linear_colours(),
             triangles: std::mem::take(&mut self.triangles),
             materials: std::mem::take(&mut self.materials),
         };
@@ -341,4 +380,15 @@ fn centre(bounds: Bounds) -> DVec3 {
     let middle = (bounds.minimum + bounds.maximum) / 2.0;
     let far = middle.is_finite() && middle.abs().max_element() > FAR * bounds.extent().max_element();
     if far { middle } else { DVec3::ZERO }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_at_which_the_reader_fails_is_named() {
+        let error = ObjFile::read_by(Path::new("a.obj"), |_| panic!("a polygon that nobody thought of")).unwrap_err();
+        assert!(error.to_string().starts_with("a.obj: this file cannot be decoded"), "{error}");
+    }
 }
