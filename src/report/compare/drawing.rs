@@ -72,7 +72,7 @@ fn draw_frame(canvas: &mut Canvas, region: Region, view: &View, factor: usize, l
 fn draw_legend(width: usize) -> Drawing {
     let mut pixmap = blank(width, LEGEND, ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), 1.0);
-    let bar = (width - 2 * MARGIN).min(512);
+    let bar = (width / 2).min(512);
     let left = width - MARGIN - bar;
     let colours = Plane::new(bar, 14, (0..14 * bar).map(|index| (index % bar) as f32 / (bar - 1) as f32).collect());
     canvas.picture(&heat_map(&colours), [left, 6]);
@@ -86,9 +86,8 @@ fn draw_legend(width: usize) -> Drawing {
         let label = if tenth == 10 { "1".to_owned() } else { format!("0.{tenth}") };
         canvas.plain_text(&label, 16.0, (x, 40.0), anchor, dark());
     }
-    let note = "FLIP: 0 no visible difference, 1 the largest; framed: the worst region";
-    if left > 2 * MARGIN {
-        canvas.fitted_text(note, 16.0, (MARGIN as f32, 24.0), (left - 2 * MARGIN) as f32);
+    for (note, y) in [("FLIP: 0 no visible difference, 1 the largest", 20.0), ("framed: the worst region", 40.0)] {
+        canvas.fitted_text(note, 16.0, (MARGIN as f32, y), (left - 2 * MARGIN) as f32);
     }
     Drawing(pixmap)
 }
