@@ -2,7 +2,7 @@
 
 use tiny_skia::{Color, Pixmap};
 
-use super::super::drawing::{Anchor, Canvas, Drawing, blank, dark, displayed, ground, pixmap_of, text_lines};
+use super::super::drawing::{Anchor, Canvas, Drawing, blank, broken_text, dark, displayed, ground, pixmap_of};
 use crate::colour::{ToneMap, magma_bytes};
 use crate::compare::{Comparison, Region, View};
 use crate::metrics::Plane;
@@ -42,7 +42,7 @@ pub fn draw_comparison(comparison: &Comparison) -> Drawing {
 fn draw_text(comparison: &Comparison, width: usize) -> Drawing {
     let meaning = "FLIP: 0 no visible difference, 1 the largest; framed: the worst region";
     let sentences = comparison.findings.iter().map(|finding| finding.sentence.as_str());
-    let wrapped = |sentence: &str| text_lines(sentence, FINDING, (width - 2 * MARGIN) as f32);
+    let wrapped = |sentence: &str| broken_text(sentence, FINDING, (width - 2 * MARGIN) as f32);
     let lines: Vec<String> = std::iter::once(meaning).chain(sentences).flat_map(wrapped).collect();
     let mut pixmap = blank(width, lines.len() * LINE + MARGIN, ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), 1.0);
@@ -91,7 +91,7 @@ fn draw_frame(canvas: &mut Canvas, region: Region, view: &View, factor: usize, l
 fn draw_legend(width: usize) -> Drawing {
     let mut pixmap = blank(width, LEGEND, ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), 1.0);
-    let bar = (width - 2 * MARGIN).min(512);
+    let bar = (width / 2).min(512);
     let left = width - MARGIN - bar;
     let colours = Plane::new(bar, 14, (0..14 * bar).map(|index| (index % bar) as f32 / (bar - 1) as f32).collect());
     canvas.picture(&heat_map(&colours), [left, 6]);

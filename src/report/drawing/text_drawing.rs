@@ -25,18 +25,6 @@ pub fn text_width(text: &str, size: f32) -> f32 {
     text.chars().map(advance).sum::<f32>() * scale(size)
 }
 
-/// A text in lines not wider than `width` pixels at font size `size`, broken between words; a wider word has its own line.
-pub fn text_lines(text: &str, size: f32, width: f32) -> Vec<String> {
-    let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if text_width(&format!("{line} {word}"), size) <= width => *line = format!("{line} {word}"),
-            _ => lines.push(word.to_owned()),
-        }
-    }
-    lines
-}
-
 /// Outline of a line of text: its anchor at the origin, the baseline along x, y downwards, in pixels.
 ///
 /// None if there is nothing to fill (an empty or blank text). A character the font does not hold gives its empty box.
