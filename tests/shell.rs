@@ -93,6 +93,8 @@ fn a_map_on_standard_input_is_read_by_every_command_that_takes_one() {
     let cross = fed(folder.path(), &["cross", "-", "--cell", "64", "-o", "-"], &strip);
     assert_eq!(cross.status.code(), Some(0), "{}", text(&cross.stderr));
     assert!(cross.stdout.starts_with(b"\x89PNG") && text(&cross.stderr).contains("wrote -: "));
+    let hall = skycube(&project("envmaps/hall"), &["cross", ".", "--cell", "64", "-o", "-"]);
+    assert!(hall.stdout.starts_with(b"\x89PNG"), "{}", text(&hall.stderr));
     let probe = fed(folder.path(), &["probe", "-", "--direction", "1,2,3"], &strip);
     assert_eq!(probe.status.code(), Some(0), "{}", text(&probe.stderr));
     let fix = fed(folder.path(), &["fix", "-", "-o", "fixed"], &strip);
