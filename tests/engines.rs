@@ -213,6 +213,8 @@ fn the_report_says_what_the_engine_shows() {
         report
     };
     assert!(shown("opengl").contains("photographs appear mirrored"), "{}", shown("opengl"));
+    let (_, report, _) = outcome(folder.path(), &["check", &courtyard, "--engine", "unreal"]);
+    assert!(report.ends_with("as unreal shows it: a left-handed world, +z up, front +x\n"), "{report}");
     assert!(shown("babylon").starts_with("as babylon shows it: a left-handed world, +y up, front +z\n"));
     assert!(shown("threejs").starts_with("as threejs shows it: a right-handed world, +y up, front -z\n"));
 }

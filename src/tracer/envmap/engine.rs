@@ -18,9 +18,9 @@ use clap::ValueEnum;
 
 use super::axis::SignedAxis;
 use super::face::Face;
-use super::handedness::{Handedness, World};
 use super::lookup::Lookup;
 use super::preset::Preset;
+use super::world::{Handedness, World};
 use crate::choice::name_of;
 
 /// An engine or graphics library that shows skyboxes.
