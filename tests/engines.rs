@@ -102,6 +102,32 @@ fn every_engine_reads_the_map_that_was_made_for_it() {
     }
 }
 
+/// Repaired files have the names that the engine's documents use, and fit.
+#[test]
+fn fix_writes_the_files_that_the_engine_loads() {
+    for engine in Engine::ALL {
+        let folder = tempfile::tempdir().unwrap();
+        let map = folder.path().join("map");
+        std::fs::create_dir(&map).unwrap();
+        make_map(engine, &map);
+        let file = |folder: &str, name: &str| format!("{folder}/{name}.png");
+        let broken = folder.path().join(file("map", &format!("sky_{}", engine.file_names()[4])));
+        let right = read(&broken).unwrap();
+        let turned = Raster::from_function(SIDE, SIDE, |x, y| right.texel(y, SIDE - 1 - x));
+        write(&turned, &broken, &WriteOptions::default()).unwrap();
+        let name = engine.name();
+        let (code, report, error) = outcome(folder.path(), &["fix", "map", "--engine", &name, "-o", "fixed"]);
+        assert_eq!(code, Some(0), "{name}: {report}{error}");
+        for file_name in engine.file_names() {
+            assert!(folder.path().join(file("fixed", file_name)).is_file(), "{name}: {file_name}: {report}");
+        }
+        let mended = read(&folder.path().join(file("fixed", engine.file_names()[4]))).unwrap();
+        assert_eq!(mended.texels(), right.texels(), "{name}");
+        let (code, report, _) = outcome(folder.path(), &["check", "fixed", "--engine", &name]);
+        assert_eq!(code, Some(0), "{name}: {report}");
+    }
+}
+
 /// The six shots are what a viewer sees who stands in the engine's world.
 #[test]
 fn shots_are_what_the_engine_shows() {
@@ -187,6 +213,8 @@ fn the_report_says_what_the_engine_shows() {
         report
     };
     assert!(shown("opengl").contains("photographs appear mirrored"), "{}", shown("opengl"));
+    let (_, report, _) = outcome(folder.path(), &["check", &courtyard, "--engine", "unreal"]);
+    assert!(report.ends_with("as unreal shows it: a left-handed world, +z up, front +x\n"), "{report}");
     assert!(shown("babylon").starts_with("as babylon shows it: a left-handed world, +y up, front +z\n"));
     assert!(shown("threejs").starts_with("as threejs shows it: a right-handed world, +y up, front -z\n"));
 }

@@ -7,7 +7,7 @@ use clap::Args;
 use super::engine_option::EngineOption;
 use super::map_options::{DEFAULT_LOOKUP, check_skybox};
 use super::options::read_lookup;
-use super::terminal::{Outcome, print, remark, show};
+use super::terminal::{Outcome, print, remark, show, tell};
 use crate::envmap::SignedAxis;
 use crate::envmap::source::{Skybox, is_meant_as_map, is_passed_over, sets_in};
 use crate::error::{Error, Result};
@@ -117,6 +117,7 @@ fn check_one(name: String, skybox: Result<Skybox>, arguments: &CheckArguments) -
         Ok(check) => {
             if !arguments.json {
                 show(&CheckReport::new(name, &check).page(arguments.verbose));
+                arguments.validation.engine.description().iter().for_each(tell);
             }
             Ok(outcome(check.verdict, arguments.strict))
         }

@@ -10,7 +10,7 @@ use super::terminal::{Outcome, leave_stdout_to, tell};
 use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
-use crate::picture::{check_target, folder_of};
+use crate::picture::{check_target, folder_of, is_standard_stream};
 use crate::report::{CrossInput, Drawing, draw_cross, nothing_to_fix, picture_repairs};
 use crate::validate::Seam;
 
@@ -38,7 +38,9 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     let (world_up, assumption) = arguments.view.world_up();
     check_drawing_name(&arguments.output)?;
     refuse_to_overwrite_sources(&arguments.output, &map.sources)?;
-    refuse_source_folder(&map.skybox, folder_of(&arguments.output))?;
+    if !is_standard_stream(&arguments.output) {
+        refuse_source_folder(&map.skybox, folder_of(&arguments.output))?;
+    }
     check_target(&arguments.output)?;
     leave_stdout_to(&arguments.output);
     let (cube_map, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;

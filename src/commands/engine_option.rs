@@ -37,6 +37,11 @@ impl EngineOption {
         }
     }
 
+    /// What the engine calls the file that it shows in the direction of a face.
+    pub fn file_name(&self, face: Face) -> Option<&'static str> {
+        self.engine.map(|engine| engine.file_name(face))
+    }
+
     /// The axis that points up in the engine's world.
     pub fn world_up(&self) -> Option<SignedAxis> {
         self.engine.map(|engine| engine.world().up)

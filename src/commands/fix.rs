@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::check::ValidationOptions;
+use super::engine_option::EngineOption;
 use super::options::{refuse_shared_images, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::refuse_rivals;
 use super::terminal::{Outcome, print, remark, tell};
@@ -19,7 +20,7 @@ use crate::validate::{Check, FaceFix, Verdict};
 pub struct FixArguments {
     /// A folder, zip, cross or strip; - for a zip or picture on standard input
     map: PathBuf,
-    /// The folder to write the six corrected files to; made if it is missing
+    /// The folder to write the six corrected files to, under the names of --engine; made if it is missing
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Print the corrected lookup instead
@@ -47,7 +48,7 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if let Some(language) = arguments.code {
         print(lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
     } else if let Some(folder) = &arguments.output {
-        write_files(&skybox, &check, folder)?;
+        write_files(&skybox, &check, folder, arguments.validation.engine)?;
         if check.verdict == Verdict::Fits && check.fix.changes == 0 {
             remark(format_args!("nothing to fix: the faces fit as they are\n"));
         }
@@ -71,13 +72,15 @@ pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     Ok(if still_broken { Outcome::Faults } else { Outcome::Clean })
 }
 
-fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
+fn write_files(skybox: &Skybox, check: &Check, folder: &Path, engine: EngineOption) -> Result<()> {
     refuse_source_folder(skybox, folder)?;
     refuse_shared_images(&check.lookup)?;
     check_folder_target(folder)?;
     let mut files = Vec::new();
     for fix in &check.fix.faces {
-        files.push(corrected(skybox, check, fix, folder)?);
+        let slot = check.lookup.row(fix.face).image;
+        let target = folder.join(engine.file_name(fix.face).unwrap_or(slot.name()));
+        files.push(corrected(skybox, fix, &target)?);
     }
     for file in &files {
         refuse_to_overwrite_sources(&file.target, &skybox.files())?;
@@ -95,11 +98,10 @@ fn write_files(skybox: &Skybox, check: &Check, folder: &Path) -> Result<()> {
     Ok(())
 }
 
-/// The file that the given lookup will read for a face.
-fn corrected(skybox: &Skybox, check: &Check, fix: &FaceFix, folder: &Path) -> Result<Corrected> {
-    let slot = check.lookup.row(fix.face).image;
+/// The file that the given lookup will read for a face; `target` has no extension yet.
+fn corrected(skybox: &Skybox, fix: &FaceFix, target: &Path) -> Result<Corrected> {
     let image = skybox.image(fix.image);
-    let target = |extension: &str| folder.join(format!("{}.{extension}", slot.name()));
+    let target = |extension: &str| target.with_extension(extension);
     if fix.orientation == Orientation::IDENTITY
         && let Some(bytes) = image.encoded_bytes()?
     {
@@ -143,7 +145,7 @@ mod tests {
         let output = folder.path().join("fixed");
         let validation = ValidationOptions {
             lookup: None,
-            engine: Default::default(),
+            engine: EngineOption::default(),
             world_up: None,
             trust_names: false,
             any_order: false,

@@ -81,7 +81,7 @@ enum Command {
     Stress(stress::StressArguments),
     /// Follow one pixel of a scene: every ray, hit and lookup
     Trace(trace::TraceArguments),
-    /// Write a page to look around in the map, before and after the repair
+    /// Write a page to look around in the map, repaired or not
     View(view::ViewArguments),
     /// Write six corrected files, or print the corrected lookup
     Fix(fix::FixArguments),

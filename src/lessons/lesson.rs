@@ -6,11 +6,8 @@ use std::path::{Component, Path, PathBuf};
 
 use serde::Deserialize;
 
-use super::Source;
+use super::source::{FILE, Source};
 use crate::error::{Error, Result};
-
-/// The file that makes a folder a lesson.
-pub(super) const FILE: &str = "lesson.toml";
 
 /// The language that lessons are shown in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, clap::ValueEnum)]

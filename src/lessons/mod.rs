@@ -22,7 +22,7 @@ pub fn read_all(folder: Option<&Path>) -> Result<Vec<Lesson>> {
     if let Some([first, second]) = lessons.windows(2).find(|pair| pair[0].number == pair[1].number) {
         let other = first.source.path().display();
         return Err(Error::new(format!("lesson {} exists twice; the other one is {other}", second.number))
-            .in_file(second.source.path().join(lesson::FILE)));
+            .in_file(second.source.path().join(source::FILE)));
     }
     Ok(lessons)
 }

@@ -6,11 +6,13 @@ use std::path::{Path, PathBuf};
 
 use include_dir::{Dir, include_dir};
 
-use super::lesson::FILE;
 use crate::error::{Error, Result};
 
 /// The lessons of the course, part of the program: they need no clone of the repository.
 static LESSONS: Dir = include_dir!("$CARGO_MANIFEST_DIR/lessons");
+
+/// The file that makes a folder a lesson.
+pub(super) const FILE: &str = "lesson.toml";
 
 /// The folder of one lesson.
 #[derive(Debug, Clone, PartialEq)]

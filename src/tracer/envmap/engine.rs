@@ -18,9 +18,9 @@ use clap::ValueEnum;
 
 use super::axis::SignedAxis;
 use super::face::Face;
-use super::handedness::{Handedness, World};
 use super::lookup::Lookup;
 use super::preset::Preset;
+use super::world::{Handedness, World};
 use crate::choice::name_of;
 
 /// An engine or graphics library that shows skyboxes.
@@ -64,6 +64,7 @@ struct Convention {
 
 const AXES: [&str; 6] = ["posx", "negx", "posy", "negy", "posz", "negz"];
 const LETTERS: [&str; 6] = ["px", "nx", "py", "ny", "pz", "nz"];
+const SUFFIXES: [&str; 6] = ["_px", "_nx", "_py", "_ny", "_pz", "_nz"];
 const UNITY: [&str; 6] = ["left", "right", "up", "down", "front", "back"];
 
 #[rustfmt::skip]
@@ -88,7 +89,7 @@ const TABLE: [Convention; 9] = [
     },
     Convention {
         engine: Engine::Babylon, preset: Preset::Opengl, negated: None, up: SignedAxis::POS_Y, handedness: Handedness::Left,
-        files: LETTERS, document: "doc.babylonjs.com, Skyboxes; Coordinate Systems and Handedness",
+        files: SUFFIXES, document: "doc.babylonjs.com, Skyboxes; Coordinate Systems and Handedness",
     },
     Convention {
         engine: Engine::Unity, preset: Preset::Opengl, negated: None, up: SignedAxis::POS_Y, handedness: Handedness::Left,
@@ -141,6 +142,11 @@ impl Engine {
     /// The files +X -X +Y -Y +Z -Z as its documents call them.
     pub fn file_names(self) -> [&'static str; 6] {
         self.convention().files
+    }
+
+    /// The file that it shows in the direction of a face.
+    pub fn file_name(self, face: Face) -> &'static str {
+        self.file_names()[self.lookup([""; 6]).row(face).image.index()]
     }
 
     /// The document that says so.

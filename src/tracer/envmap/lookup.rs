@@ -13,8 +13,8 @@
 
 use super::axis::SignedAxis;
 use super::face::Face;
-use super::handedness::Handedness;
 use super::v_origin::VOrigin;
+use super::world::Handedness;
 use crate::math::functions::clamp_number;
 use crate::math::{DVec3, Vec3};
 use crate::picture::Picture;

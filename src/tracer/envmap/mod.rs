@@ -18,6 +18,7 @@ mod sampling;
 mod seamless;
 pub mod source;
 mod v_origin;
+mod world;
 
 pub use axis::SignedAxis;
 pub use background::{Equirectangular, Gradient};
@@ -25,7 +26,6 @@ pub use cube_map::{CubeFilter, CubeMap};
 pub use engine::Engine;
 pub use environment::{Environment, EnvironmentKind};
 pub use face::Face;
-pub use handedness::{Handedness, World};
 pub use lazy_image::{Decoder, LazyImage};
 pub use lookup::{FaceLookup, FacePoint, ImagePoint, Lookup};
 pub use orientation::{ImageOperation, Orientation};
@@ -33,6 +33,7 @@ pub use preset::Preset;
 pub use probe::{Probe, ProbedTexel, TexelPlace};
 pub use sampling::EnvironmentSampler;
 pub use v_origin::VOrigin;
+pub use world::{Handedness, World};
 
 #[cfg(test)]
 mod tests;
