@@ -333,3 +333,30 @@ fn bake_writes_the_six_images() {
     let expected = ["negx.jpg", "negy.jpg", "negz.jpg", "posx.jpg", "posy.jpg", "posz.jpg"];
     assert_eq!(files(&folder.path().join("faces")), expected);
 }
+
+/// What a check of a broken map prints with these settings of the environment.
+fn broken_map(arguments: &[&str], environment: &[(&str, &str)]) -> String {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_skycube"));
+    for variable in ["NO_COLOR", "CLICOLOR", "CLICOLOR_FORCE", "COLUMNS"] {
+        command.env_remove(variable);
+    }
+    let map = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/broken");
+    let output = command.args(["check", map]).args(arguments).envs(environment.iter().copied()).output().unwrap();
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    text(&output.stdout)
+}
+
+#[test]
+fn colours_are_for_terminals_and_for_whom_they_are_forced_on() {
+    let plain = broken_map(&[], &[]);
+    assert!(!plain.contains('\u{1b}') && plain.lines().any(|line| line.len() > 80), "as wide as it is: {plain}");
+    let coloured = broken_map(&["--color", "always"], &[]);
+    assert!(coloured.contains("\u{1b}[1m\u{1b}[31mbroken\u{1b}[0m"), "{coloured}");
+    let stripped = anstream::adapter::strip_str(&coloured).to_string();
+    assert_eq!(stripped, plain);
+    assert_eq!(broken_map(&[], &[("CLICOLOR_FORCE", "1")]), coloured);
+    assert_eq!(broken_map(&[], &[("CLICOLOR_FORCE", "1"), ("NO_COLOR", "1")]), plain);
+    assert_eq!(broken_map(&["--color", "always"], &[("NO_COLOR", "1")]), coloured, "who asks is obeyed");
+    assert_eq!(broken_map(&["--color", "never"], &[("CLICOLOR_FORCE", "1")]), plain);
+    assert_eq!(broken_map(&[], &[("COLUMNS", "60")]), plain, "a pipe has no width");
+}

@@ -101,6 +101,25 @@ fn the_pictures_of_a_map_are_not_overwritten() {
     assert_eq!(std::fs::read_dir(folder.path()).unwrap().count(), 6);
 }
 
+#[test]
+fn broken_seams_and_pictures_to_repair_are_vermilion() {
+    const BLUE: [u8; 3] = [0, 114, 178];
+    const VERMILION: [u8; 3] = [213, 94, 0];
+    let folder = tempfile::tempdir().unwrap();
+    let count = |map: &Path, colour: [u8; 3]| {
+        let arguments = ["cross", map.to_str().unwrap(), "--lookup", "humus-z-up", "-o", "cross.png"];
+        stdout(&skycube(folder.path(), &arguments));
+        match read(&folder.path().join("cross.png")).unwrap().texels() {
+            skycube::picture::Texels::Srgb8(bytes) => bytes.chunks_exact(3).filter(|pixel| **pixel == colour).count(),
+            skycube::picture::Texels::Linear(_) => panic!("an 8-bit picture"),
+        }
+    };
+    let broken = common::project("lessons/06-environment-map/broken");
+    assert!(count(&broken, VERMILION) > 5000, "{}", count(&broken, VERMILION));
+    assert_eq!(count(&compass(), VERMILION), 0);
+    assert!(count(&compass(), BLUE) > 1000, "{}", count(&compass(), BLUE));
+}
+
 /// The mean difference of 255 over pixels and channels.
 fn difference(one: &Picture, other: &Picture) -> f32 {
     assert_eq!((one.width(), one.height()), (other.width(), other.height()));

@@ -11,7 +11,7 @@ use crate::colour::ToneMap;
 use crate::envmap::{CubeMap, Face, SignedAxis};
 use crate::error::Result;
 use crate::picture::{check_target, folder_of};
-use crate::report::{CrossInput, Drawing, draw_cross, nothing_to_fix};
+use crate::report::{CrossInput, Drawing, draw_cross, nothing_to_fix, picture_repairs};
 use crate::validate::Seam;
 
 #[derive(Debug, Args)]
@@ -43,11 +43,12 @@ pub fn run(arguments: &CrossArguments) -> Result<Outcome> {
     leave_stdout_to(&arguments.output);
     let (cube_map, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
     let heading = format!("{} through {}", map.name, map.lookup_name);
-    let mut drawing = draw(arguments, &map, &cube_map, &check.seams, world_up, &heading);
+    let mut drawing = draw(arguments, &map, &cube_map, &check.seams, &picture_repairs(&check), world_up, &heading);
     if arguments.fixed && check.fix.changes > 0 {
         let fixed = cube_map.with_lookup(check.fix.lookup(&map.lookup));
         let heading = format!("{heading}, fixed");
-        drawing = drawing.beside(&draw(arguments, &map, &fixed, &check.fix.seams_after, world_up, &heading));
+        let right = draw(arguments, &map, &fixed, &check.fix.seams_after, &Default::default(), world_up, &heading);
+        drawing = drawing.beside(&right);
     }
     drawing.write(&arguments.output)?;
     if let Some(assumption) = assumption {
@@ -66,6 +67,7 @@ fn draw(
     open: &OpenMap,
     map: &CubeMap,
     seams: &[Seam],
+    repairs: &[Option<String>; 6],
     world_up: SignedAxis,
     heading: &str,
 ) -> Drawing {
@@ -74,6 +76,7 @@ fn draw(
         world_up,
         files: &Face::ALL.map(|face| open.skybox.image(map.lookup().row(face).image).name().to_owned()),
         seams,
+        repairs,
         heading,
         cell: arguments.cell as usize,
         tone_map: arguments.tone_map,

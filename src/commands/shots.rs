@@ -14,7 +14,7 @@ use crate::envmap::{Environment, EnvironmentKind, Face, Lookup, SignedAxis, Worl
 use crate::error::Result;
 use crate::picture::{self, OutputFormat, Raster, WriteOptions, make_folder, write_together};
 use crate::render::{AxisShot, render};
-use crate::report::{CaptionedShot, Drawing, ShotsReport, draw_contact_sheet, nothing_to_fix};
+use crate::report::{CaptionedShot, Drawing, ShotsReport, draw_contact_sheet, nothing_to_fix, picture_repairs};
 use crate::scene::Plan;
 
 #[derive(Debug, Args)]
@@ -50,8 +50,9 @@ pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
     // Nothing is rendered before all targets are found free.
     let mut plans = vec![ShotPlan::new(&map, map.lookup, map.lookup_name.clone(), folder, &sheet_file)?];
     let mut without_fix = None;
+    let (_, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
+    plans[0].repairs = picture_repairs(&check);
     if arguments.fixed {
-        let (_, check) = map.checked(arguments.view.filter, arguments.view.world_up)?;
         if check.fix.changes > 0 {
             let name = format!("{}, fixed", map.lookup_name);
             plans.push(ShotPlan::new(&map, check.fix.lookup(&map.lookup), name, &folder.join("fixed"), &sheet_file)?);
@@ -86,6 +87,8 @@ struct ShotPlan {
     lookup: Lookup,
     lookup_name: String,
     targets: Vec<PathBuf>,
+    /// What to do about the picture that each shot shows.
+    repairs: [Option<String>; 6],
 }
 
 impl ShotPlan {
@@ -99,7 +102,7 @@ impl ShotPlan {
         }
         refuse_rivals(&targets)?;
         refuse_pictures_of_others(&targets, sheet)?;
-        Ok(Self { lookup, lookup_name, targets })
+        Ok(Self { lookup, lookup_name, targets, repairs: Default::default() })
     }
 }
 
@@ -108,11 +111,12 @@ struct ShotSet {
     report: ShotsReport,
     rasters: Vec<Raster>,
     targets: Vec<PathBuf>,
+    repairs: [Option<String>; 6],
 }
 
 /// Renders the shots that are planned.
 fn take(arguments: &ShotsArguments, map: &OpenMap, plan: ShotPlan, world_up: SignedAxis) -> Result<ShotSet> {
-    let ShotPlan { lookup, lookup_name, targets } = plan;
+    let ShotPlan { lookup, lookup_name, targets, repairs } = plan;
     let shots = AxisShot::all(World { up: world_up, handedness: lookup.handedness() });
     let samples = arguments.samples.unwrap_or_else(|| samples(map, arguments.size as usize));
     let rasters = render_shots(arguments, map, lookup, shots, samples)?;
@@ -125,7 +129,7 @@ fn take(arguments: &ShotsArguments, map: &OpenMap, plan: ShotPlan, world_up: Sig
         samples,
         written: targets.iter().map(|target| target.display().to_string()).collect(),
     };
-    Ok(ShotSet { report, rasters, targets })
+    Ok(ShotSet { report, rasters, targets, repairs })
 }
 
 /// As many samples as texels fall into a pixel, at most 16.
@@ -170,6 +174,7 @@ fn contact_sheet(set: &ShotSet, map: &str, tone_map: ToneMap) -> Drawing {
         shot: set.report.shots[face.index()],
         raster: &set.rasters[face.index()],
         image: &set.report.images[face.index()],
+        repair: set.repairs[face.index()].as_deref(),
     });
     let heading = format!("{map} through the lookup {}", set.report.lookup);
     draw_contact_sheet(&shots, &heading, &set.report.camera(), tone_map)

@@ -17,6 +17,7 @@
 mod repair;
 mod text;
 
+pub use repair::picture_repairs;
 pub(super) use repair::{Repair, code, repairs, statements};
 pub use text::{counted_maps, map_line, totals_line};
 

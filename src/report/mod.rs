@@ -28,7 +28,7 @@ pub use page::{Column, Look, Meaning, Page, Span, Table};
 #[cfg(feature = "stress")]
 pub use stress::StressReport;
 
-pub(crate) use check::{counted_maps, nothing_to_fix};
+pub(crate) use check::{counted_maps, nothing_to_fix, picture_repairs};
 pub(crate) use code::{CodeLanguage, lookup_code};
 pub(crate) use drawing::{CaptionedShot, CrossInput, draw_contact_sheet, draw_cross};
 pub(crate) use lessons::{lesson_list, lesson_page, lesson_started};

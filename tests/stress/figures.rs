@@ -3,7 +3,7 @@
 use std::sync::OnceLock;
 
 use skycube::limits::LIMITS;
-use skycube::report::StressReport;
+use skycube::report::{Look, StressReport};
 use skycube::stress::{Case, Effort, Verdict, subjects};
 use skycube::validator_limits;
 
@@ -38,9 +38,16 @@ fn the_figures_are_the_same_everywhere() {
 
 #[test]
 fn a_line_fits_a_terminal() {
-    let report = StressReport { cases: cases(), effort: FAST, steps: false }.to_string();
-    let longest = report.lines().map(|line| line.chars().count()).max().unwrap();
-    assert!(longest <= 120, "{longest} columns");
+    let report = StressReport { cases: cases(), effort: FAST, steps: false };
+    for columns in [60, 80, 120] {
+        let shown = report.page().shown(Look { width: Some(columns), colour: false });
+        let longest = shown.lines().map(|line| line.chars().count()).max().unwrap();
+        assert!(longest <= columns, "{longest} columns of {columns}:\n{shown}");
+        // What matters most is left: the name of a case and its verdict.
+        let line = shown.lines().find(|line| line.starts_with("  directions ")).unwrap();
+        assert!(line.ends_with(" holds"), "{shown}");
+        assert_eq!(shown.contains("… a wider terminal shows more columns"), columns < 120);
+    }
 }
 
 #[test]

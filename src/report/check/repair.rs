@@ -115,6 +115,21 @@ fn scale(check: &Check) -> String {
     format!("{}: scale to {most} x {most} texels, the size of the others", joined(&others.collect::<Vec<_>>()))
 }
 
+/// What to do about the picture that each face shows under the lookup, in few words: `turn 90° clockwise, belongs at +X`.
+pub fn picture_repairs(check: &Check) -> [Option<String>; 6] {
+    Face::ALL.map(|face| {
+        let image = check.lookup.row(face).image;
+        let fix = check.fix.faces.iter().find(|fix| fix.image == image)?;
+        if check.outliers.iter().any(|outlier| outlier.face == fix.face) {
+            return Some("does not belong here".to_owned());
+        }
+        let edit = (fix.orientation != Orientation::IDENTITY).then(|| fix.image_operation.name());
+        let place = (fix.face != face).then(|| format!("belongs at {}", fix.face.signed_name().to_uppercase()));
+        let words: Vec<String> = edit.into_iter().chain(place).collect();
+        (!words.is_empty()).then(|| words.join(", "))
+    })
+}
+
 /// Another story of the same length, in the names of the files.
 pub fn retold(story: &Story, check: &Check) -> String {
     let order = story.order.map(|order| order.to_string());

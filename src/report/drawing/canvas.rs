@@ -14,6 +14,9 @@ pub(in crate::report) fn dark() -> Color {
     Color::from_rgba8(24, 22, 34, 255)
 }
 
+/// The smallest letters that can be read, in pixels an em.
+const SMALLEST: f32 = 11.0;
+
 /// Draws on a pixmap in layout units: a scale makes one layout serve all sizes. Y points down.
 pub(in crate::report) struct Canvas<'a> {
     pixmap: PixmapMut<'a>,
@@ -46,10 +49,28 @@ impl<'a> Canvas<'a> {
         }
     }
 
-    /// Dark text, smaller where it is too long for its place.
+    /// A size in units at which letters can be read.
+    pub fn readable(&self, size: f32) -> f32 {
+        size.max(SMALLEST / self.scale.sx)
+    }
+
+    /// Dark text, smaller where it is too long for its place, and with an ellipsis where it would be too small to be read.
     pub fn fitted_text(&mut self, text: &str, size: f32, position: (f32, f32), width: f32) {
-        let size = size.min(size * width / text_width(text, size).max(1.0));
-        self.plain_text(text, size, position, Anchor::Start, dark());
+        let size = self.readable(size.min(size * width / text_width(text, size).max(1.0)));
+        let text = shortened(text, size, width);
+        self.plain_text(&text, size, position, Anchor::Start, dark());
+    }
+
+    /// The lines of a text broken at its blanks; words that are too long have an ellipsis.
+    pub fn broken_text(&self, text: &str, size: f32, width: f32) -> Vec<String> {
+        let mut lines: Vec<String> = Vec::new();
+        for word in text.split_whitespace().map(|word| shortened(word, size, width)) {
+            match lines.last_mut() {
+                Some(line) if text_width(&format!("{line} {word}"), size) <= width => *line += &format!(" {word}"),
+                _ => lines.push(word),
+            }
+        }
+        lines
     }
 
     /// A straight arrow with a filled head; `weight` 1 is a shaft 8 units thick.
@@ -117,6 +138,20 @@ impl<'a> Canvas<'a> {
     }
 }
 
+/// A text with an ellipsis in its middle, where the names of files say least; its first letter stays.
+fn shortened(text: &str, size: f32, width: f32) -> String {
+    let letters: Vec<char> = text.chars().collect();
+    let kept = |count: usize| -> String {
+        let (head, tail) = (count.div_ceil(2), count / 2);
+        letters[..head].iter().chain(&['…']).chain(&letters[letters.len() - tail..]).collect()
+    };
+    if text_width(text, size) <= width {
+        return text.to_owned();
+    }
+    let fits = (1..letters.len()).rev().map(kept).find(|short| text_width(short, size) <= width);
+    fits.unwrap_or_else(|| kept(letters.len().min(1)))
+}
+
 /// The outline of a text, turned about its anchor.
 fn placed_text(text: &str, size: f32, (x, y): (f32, f32), turn: f32, anchor: Anchor) -> Option<Path> {
     text_path(text, size, anchor)?.transform(quarter_turn(turn).post_translate(x, y))
@@ -172,4 +207,26 @@ pub(in crate::report) fn paint(colour: Color) -> Paint<'static> {
     let mut paint = Paint { anti_alias: true, ..Paint::default() };
     paint.set_color(colour);
     paint
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn text_keeps_to_its_place_and_says_where_it_is_cut() {
+        let mut pixmap = blank(8, 8, ground());
+        let canvas = Canvas::new(pixmap.as_mut(), 0.25);
+        assert_eq!(canvas.readable(17.0), 44.0, "11 pixels");
+        assert_eq!(canvas.readable(60.0), 60.0);
+        let width = text_width("turn 90° clockwise", 16.0);
+        assert_eq!(canvas.broken_text("turn 90° clockwise", 16.0, width + 1.0), ["turn 90° clockwise"]);
+        assert_eq!(canvas.broken_text("turn 90° clockwise", 16.0, width - 1.0), ["turn 90°", "clockwise"]);
+        for size in [16.0, 30.0] {
+            let short = shortened("a-long-name-of-a-sky_posx.jpg", size, 120.0);
+            assert!(text_width(&short, size) <= 120.0 && short.contains('…'), "{short}");
+            assert!(short.starts_with('a') && short.ends_with('g'), "{short}");
+        }
+        assert_eq!(shortened("posx.jpg", 16.0, 120.0), "posx.jpg");
+    }
 }

@@ -1,12 +1,15 @@
 //! The contact sheet of the six axis shots.
 
-use tiny_skia::Pixmap;
+use tiny_skia::{Color, Pixmap};
 
 use super::canvas::{Canvas, blank, displayed, ground};
 use super::finished::Drawing;
+use super::plate::{PlateLine, draw_plate};
+use super::verdict_colour::{repair_colour, verdict_colour};
 use crate::colour::ToneMap;
 use crate::picture::Raster;
 use crate::render::AxisShot;
+use crate::validate::Verdict;
 
 /// The layout is drawn for pictures of this many pixels and scaled to their size.
 const PICTURE: f32 = 384.0;
@@ -23,6 +26,8 @@ pub struct CaptionedShot<'a> {
     pub raster: &'a Raster,
     /// The image that the face reads: `posz (Meadow.zip/posz.jpg)`.
     pub image: &'a str,
+    /// What to do about that image.
+    pub repair: Option<&'a str>,
 }
 
 /// Draws six shots, in the order of [`Face::ALL`](crate::envmap::Face::ALL): the positive axes above the negative ones.
@@ -54,6 +59,14 @@ pub fn draw_contact_sheet(shots: &[CaptionedShot; 6], heading: &str, foot: &str,
 
 fn draw_shot(canvas: &mut Canvas, captioned: &CaptionedShot, picture: &Pixmap, (x, y): (f32, f32), scale: f32) {
     canvas.picture(picture, [x, y].map(|units| (units * scale).round() as usize));
+    if let Some(repair) = captioned.repair {
+        let (right, bottom) = (x + PICTURE, y + PICTURE);
+        let frame = [(x, y), (right, y), (right, bottom), (x, bottom), (x, y)];
+        canvas.line(&frame, 8.0, Color::WHITE);
+        canvas.line(&frame, 5.0, verdict_colour(Verdict::Broken));
+        let line = PlateLine { text: repair, size: 26.0, colour: repair_colour() };
+        draw_plate(canvas, &[line], (x + 14.0, bottom - 14.0), (1.0, -1.0), 0.8 * PICTURE);
+    }
     let AxisShot { direction, up, .. } = captioned.shot;
     let view = format!("along {}   up {up}   right {}", direction.signed_name(), captioned.shot.right());
     canvas.fitted_text(&view, 22.0, (x, y + PICTURE + 26.0), PICTURE);

@@ -6,7 +6,9 @@ mod contact_sheet;
 mod cross_drawing;
 mod cross_layout;
 mod finished;
+mod plate;
 mod text_drawing;
+mod verdict_colour;
 
 pub(super) use canvas::{Canvas, blank, dark, displayed, ground, pixmap_of};
 pub use compass::draw_compass_face;
