@@ -177,7 +177,8 @@ fn a_large_picture_is_there_coarsely_when_the_time_is_over() {
     let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
     assert_eq!((&report["stopped"], &report["samples"]), (&false.into(), &0.into()));
     assert!(report["coarse_rows"].as_u64().unwrap() > 0, "{report}");
-    assert!(report["seconds"]["rendering"].as_f64().unwrap() < 2.5, "{report}");
+    // Usually 1.2 s; the whole pass takes minutes. Others may keep the machine busy.
+    assert!(report["seconds"]["rendering"].as_f64().unwrap() < 10.0, "{report}");
     let picture = skycube::picture::read(&folder.path().join("a.png")).unwrap();
     assert_eq!((picture.width(), picture.height()), (4000, 3000));
 }

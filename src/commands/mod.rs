@@ -100,8 +100,7 @@ pub fn run() -> ExitCode {
     if let Some(bytes) = arguments.memory {
         set_memory_budget(bytes);
     }
-    threads::start();
-    let result = catch_unwind(AssertUnwindSafe(|| command(arguments.command)));
+    let result = catch_unwind(AssertUnwindSafe(|| threads::on_all(|| command(arguments.command))));
     for note in take_notes() {
         remark(format_args!("note: {}\n", printable(&note)));
     }

@@ -2,14 +2,15 @@
 
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-/// Starts the threads for all work. Where the system starts none, the calling one does it.
-pub fn start() {
-    let builder = ThreadPoolBuilder::new;
-    // rayon tries only once to start its threads, and panics at the first work if that failed: they are tried before.
-    let _ = match builder().build() {
-        Ok(_) => builder().build_global(),
-        Err(_) => builder().num_threads(1).use_current_thread().build_global(),
-    };
+/// Does work on all processors. Where the system starts no threads, the calling one does it.
+pub fn on_all<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    match ThreadPoolBuilder::new().build() {
+        Ok(pool) => pool.install(work),
+        Err(_) => {
+            let _ = ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global();
+            work()
+        }
+    }
 }
 
 /// Threads for a part of the work.

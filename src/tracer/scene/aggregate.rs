@@ -20,7 +20,7 @@ pub struct Aggregate {
     /// Meshes tried one by one.
     meshes: Vec<u32>,
     hierarchy: Option<BoxedShapes>,
-    /// Asked by every ray.
+    /// Asked by every ray but those to light sources, which are few for each of the others.
     pub stop: StopSwitch,
 }
 
@@ -82,6 +82,12 @@ impl Aggregate {
     /// The nearest hit of the ray.
     #[inline]
     pub fn intersect(&self, ray: &Ray) -> Option<Hit> {
+        self.stop.check();
+        self.nearest(ray)
+    }
+
+    // Apart from the question above, which costs 3 % of a rendering where both share their registers.
+    fn nearest(&self, ray: &Ray) -> Option<Hit> {
         let mut nearest = self.nearest_simple(ray, None);
         if self.has_others() {
             nearest = self.nearer_other(ray, nearest);
@@ -97,6 +103,7 @@ impl Aggregate {
         rays: impl Iterator<Item = &'r Ray>,
         hits: &mut Vec<Option<Hit>>,
     ) {
+        self.stop.check();
         hits.clear();
         let found = |nearest: Hit| (nearest.id.shape != NONE).then_some(nearest);
         if self.has_others() {
@@ -117,7 +124,6 @@ impl Aggregate {
     #[inline(always)]
     fn nearest_simple(&self, ray: &Ray, cones: Option<&ViewCones>) -> Hit {
         let (mut nearest, mut id) = (f64::INFINITY, SurfaceId { shape: NONE, part: 0 });
-        self.stop.check();
         if cones.is_none_or(|cones| cones.may_meet(ray.direction, 0.0)) {
             for pack in &self.packs {
                 pack.hits(ray, |shape, t| {
@@ -176,7 +182,6 @@ impl Aggregate {
     #[inline(always)]
     fn any_hit<const SHADOWING: bool>(&self, ray: &Ray, limit: f64, cones: Option<&ViewCones>) -> bool {
         let in_the_way = |shape: u32, t: f64| t < limit && self.counts::<SHADOWING>(shape);
-        self.stop.check();
         let may_meet = cones.is_none_or(|cones| cones.may_meet(-ray.direction, limit));
         if may_meet && self.packs.iter().any(|pack| pack.hits(ray, in_the_way)) {
             return true;

@@ -149,6 +149,7 @@ impl Pass<'_, '_> {
             return;
         }
         for (light, cones) in scene.lights.iter().zip(from_lights) {
+            scene.shapes.stop.check();
             for Lit { origin, reflection } in &found.lit {
                 if let Light::Ambient { radiance } = light {
                     found.radiances[origin.path] += reflection.diffuse * *radiance;
