@@ -91,7 +91,7 @@ fn draw_frame(canvas: &mut Canvas, region: Region, view: &View, factor: usize, l
 fn draw_legend(width: usize) -> Drawing {
     let mut pixmap = blank(width, LEGEND, ground());
     let mut canvas = Canvas::new(pixmap.as_mut(), 1.0);
-    let bar = (width / 2).min(512);
+    let bar = (width - 2 * MARGIN).min(512);
     let left = width - MARGIN - bar;
     let colours = Plane::new(bar, 14, (0..14 * bar).map(|index| (index % bar) as f32 / (bar - 1) as f32).collect());
     canvas.picture(&heat_map(&colours), [left, 6]);

@@ -192,6 +192,9 @@ const LEFT: f32 = MARGIN + 2.0 * CELL + 32.0;
 /// Left border of the words beside a sample.
 const WORDS: f32 = LEFT + 50.0;
 
+/// Draws what a sentence of the legend is about, at a height.
+type Sample<'a> = &'a dyn Fn(&mut Canvas, f32);
+
 /// Sentences in dark text on the ground of the drawing, from top to bottom; what has no room as a whole is left out.
 struct Legend<'a, 'b> {
     canvas: &'a mut Canvas<'b>,
@@ -203,7 +206,7 @@ struct Legend<'a, 'b> {
 
 impl Legend<'_, '_> {
     /// Writes a sentence beside the sample that `draw` puts at a height, if there is one.
-    fn line(&mut self, text: &str, size: f32, draw: Option<&dyn Fn(&mut Canvas, f32)>) {
+    fn line(&mut self, text: &str, size: f32, draw: Option<Sample>) {
         let left = if draw.is_some() { WORDS } else { LEFT };
         let letters = self.canvas.readable(size);
         let lines = broken_text(text, letters, MARGIN + 4.0 * CELL - left);

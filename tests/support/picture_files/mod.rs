@@ -37,7 +37,7 @@ impl Kind {
 
 /// The numbers of the test picture: no two pixels, rows or channels are alike.
 pub fn sample(x: usize, y: usize, channel: usize, bits: u32) -> u64 {
-    let mixed = (x as u64 + 1) * 0x9E37_79B9 ^ (y as u64 + 1) * 0x85EB_CA6B ^ (channel as u64 + 1) * 0xC2B2_AE35;
+    let mixed = ((x as u64 + 1) * 0x9E37_79B9) ^ ((y as u64 + 1) * 0x85EB_CA6B) ^ ((channel as u64 + 1) * 0xC2B2_AE35);
     let wide = mixed.wrapping_mul(0xD6E8_FEB8_6659_FD93);
     (wide ^ wide >> 32).wrapping_mul(0xD6E8_FEB8_6659_FD93) >> (64 - bits)
 }

@@ -115,7 +115,7 @@ impl Tiff {
         }
         let planes: Vec<std::ops::Range<usize>> = match self.planar {
             true => (0..self.samples as usize).map(|channel| channel..channel + 1).collect(),
-            false => vec![0..self.samples as usize],
+            false => std::iter::once(0..self.samples as usize).collect(),
         };
         let places: Vec<(std::ops::Range<usize>, std::ops::Range<usize>)> = match self.tile {
             Some(side) => (0..HEIGHT.div_ceil(side))
