@@ -73,8 +73,8 @@ fn a_wrong_camera_is_blamed_though_one_face_is_wrong_too() {
 fn a_camera_that_explains_as_much_as_a_lookup_is_mentioned() {
     let photographs = courtyard(Preset::Course);
     let mut random = Random(9);
-    let mut mentioned = 0;
-    for number in 0..12 {
+    let mut cases = 0;
+    for number in (0..12).cycle() {
         let mut student = Student { screen: random.below(4), size: 64, ..RIGHT };
         for _ in 0..number / 3 {
             student.faces[random.below(6)].1 = random.below(4);
@@ -82,14 +82,16 @@ fn a_camera_that_explains_as_much_as_a_lookup_is_mentioned() {
         let own = student.faces.iter().filter(|face| face.1 != 0).count();
         // Orientations without a swap undo themselves: a face is right if its own fault is the camera's.
         let seen = student.faces.iter().filter(|face| face.1 != student.screen).count();
-        let grade = student.grade(&photographs);
+        // Otherwise the lookup explains more than the camera.
         if student.screen != 0 && own <= seen && own < 6 {
-            let left = left_by_a_camera(&grade);
+            let left = left_by_a_camera(&student.grade(&photographs));
             assert!(left.is_some_and(|left| left <= own), "{:?} {}: {left:?}", student.faces, student.screen);
-            mentioned += 1;
+            cases += 1;
+        }
+        if cases == 8 {
+            break;
         }
     }
-    assert!(mentioned >= 6, "{mentioned}");
 }
 
 fn report(grade: &Grade) -> String {
