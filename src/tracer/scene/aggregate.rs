@@ -86,7 +86,7 @@ impl Aggregate {
         self.nearest(ray)
     }
 
-    // Apart from the question above, which costs 3 % of a rendering where both share their registers.
+    // Apart, so that the question above does not take registers from the search.
     fn nearest(&self, ray: &Ray) -> Option<Hit> {
         let mut nearest = self.nearest_simple(ray, None);
         if self.has_others() {
