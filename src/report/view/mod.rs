@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::check::{Repair, code, nothing_to_fix, repairs, statements};
 use super::code::{CodeLanguage, lookup_code};
 use crate::choice::name_of;
-use crate::envmap::{CubeMap, Face, Handedness, Lookup, SignedAxis, VOrigin};
+use crate::envmap::{CubeMap, Face, Handedness, Lookup, Orientation, SignedAxis, VOrigin};
 use crate::error::Result;
 use crate::validate::{Check, Seam};
 
@@ -135,8 +135,12 @@ fn face_repairs(check: &Check) -> [String; 6] {
         if fix.is_unchanged(&check.lookup) {
             return format!("{} ({file}): nothing to change", fix.face.name());
         }
+        let read = (fix.image != check.lookup.row(fix.face).image).then(|| format!("read as {}", fix.face.name()));
+        let turned = (fix.orientation != Orientation::IDENTITY).then(|| fix.image_operation.name());
+        let what: Vec<String> = read.into_iter().chain(turned).collect();
         let doubt = if fix.decided { "" } else { " (the pixels do not decide it)" };
-        format!("{} ({file}): in the code, {}{doubt}", fix.face.name(), statements(&fix, check))
+        let code = statements(&fix, check);
+        format!("{} ({file}): {}{doubt}; or in the code: {code}", fix.face.name(), what.join(", "))
     })
 }
 
