@@ -75,14 +75,13 @@ impl Config {
     /// The configuration for a map: that in its folder, or in the nearest folder above that has one.
     pub fn above(map: &Path) -> Result<Option<ConfigReport>> {
         let place = map.canonicalize().or_else(|_| std::path::absolute(map)).unwrap_or_else(|_| map.to_owned());
-        for folder in place.ancestors().filter(|folder| folder.join(NAME).is_file()) {
-            return Ok(Some(Self::read(folder)?.for_map(&place)));
-        }
-        Ok(None)
+        let folder = place.ancestors().find(|folder| folder.join(NAME).is_file());
+        folder.map(|folder| Ok(Self::read(folder)?.for_map(&place))).transpose()
     }
 
     fn read(folder: &Path) -> Result<Self> {
-        let document = Document::read(&folder.join(NAME))?;
+        let file = shown(&folder.join(NAME));
+        let document = Document::read(&file)?;
         let parsed = document.parse()?;
         let mut table = document.root(&parsed);
         let lookup = table.optional("lookup").map(|value| lookup(&value)).transpose()?;
@@ -93,7 +92,7 @@ impl Config {
             None => Vec::new(),
         };
         table.finish()?;
-        Ok(Self { file: shown(&folder.join(NAME)), folder: folder.to_owned(), lookup, engine, world_up, allowances })
+        Ok(Self { file, folder: folder.to_owned(), lookup, engine, world_up, allowances })
     }
 
     fn for_map(self, map: &Path) -> ConfigReport {

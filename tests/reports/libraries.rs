@@ -40,7 +40,7 @@ fn cross_draws_each_map_or_all_on_a_sheet() {
     let (code, text, _) = outcome(folder.path(), &["cross", "skies", "--sheet", "-o", "sheet.png"]);
     assert_eq!((code, text.as_str()), (Some(0), "wrote sheet.png: 2 maps\n"));
     let sheet = read(&folder.path().join("sheet.png")).unwrap();
-    assert!(sheet.width() > one.width() && sheet.height() > 2 * one.height(), "{} {}", sheet.width(), sheet.height());
+    assert!(sheet.width() > 2 * one.width() && sheet.height() > one.height(), "{} {}", sheet.width(), sheet.height());
     let (code, _, error) = outcome(folder.path(), &["cross", "nowhere", "--sheet", "-o", "sheet.png"]);
     assert!(code == Some(2) && error.contains("no map to draw"), "{error}");
 }

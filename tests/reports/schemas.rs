@@ -51,7 +51,7 @@ fn a_command_that_cannot_run_says_so_in_its_report() {
     for arguments in cases {
         let report = report(arguments);
         let error = report["error"].as_str().unwrap_or_default();
-        assert!(error.contains("does not exist") || error.contains("unheard-of"), "{arguments:?}: {report}");
+        assert!(error.contains(arguments[1]) || error.contains("unheard-of"), "{arguments:?}: {report}");
     }
 }
 
