@@ -5,7 +5,7 @@ mod common;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use common::{SHARED_IMAGE_LOOKUP, skycube, text};
+use common::{SHARED_IMAGE_LOOKUP, json_report, skycube, text};
 
 const LESSON: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/lessons/06-environment-map/environment-with.toml");
 
@@ -39,7 +39,7 @@ fn the_report_for_machines_is_json() {
     let folder = tempfile::tempdir().unwrap();
     let output =
         skycube(folder.path(), &["render", LESSON, "--size", "8x5", "--samples", "1", "-o", "a.exr", "--json"]);
-    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = json_report(&text(&output.stdout));
     assert_eq!((report["picture"].as_str(), report["rays"]["camera"].as_u64()), (Some("a.exr"), Some(40)));
 }
 
@@ -50,7 +50,7 @@ fn the_json_of_a_check_lists_maps_that_cannot_be_checked_too() {
     for (maps, fits) in [(&["missing"][..], 0), (&[compass, "missing"], 1)] {
         let output = skycube(folder.path(), &[&["check", "--json"], maps].concat());
         assert_eq!(output.status.code(), Some(2));
-        let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let report = json_report(&text(&output.stdout));
         assert_eq!((&report["version"], &report["command"]), (&1.into(), &"check".into()));
         let last = &report["maps"][maps.len() - 1];
         assert_eq!(last["map"], "missing");
@@ -295,7 +295,7 @@ fn a_rendering_takes_the_time_it_is_given() {
     let started = std::time::Instant::now();
     let output = skycube(folder.path(), &["render", LESSON, "--size", "32x20", "--time", "2s", "--json"]);
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = json_report(&text(&output.stdout));
     assert!(report["samples"].as_u64().unwrap() > 1, "{report}");
     assert!(started.elapsed().as_secs_f64() < 30.0, "the limit does not hold");
     let both = skycube(folder.path(), &["render", LESSON, "--time", "1s", "--spp", "4"]);

@@ -1,5 +1,6 @@
 //! What was done to a picture must be named, and nothing else.
 
+mod common;
 #[path = "compare/lesson_pictures.rs"]
 mod lesson_pictures;
 
@@ -296,6 +297,7 @@ fn reports() {
     let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));
     let report = CompareReport::new(&comparison, Metric::Flip, 0.05);
     insta::assert_snapshot!("flipped_text", report.to_string());
+    common::json_report(&report.to_json());
     insta::assert_snapshot!("flipped_json", report.to_json());
     let comparison = Comparison::of(&file_of(&expected), &file_of(&expected));
     let report = CompareReport::new(&comparison, Metric::Psnr, 28.0);
@@ -362,6 +364,6 @@ fn the_command_draws_and_ends_by_the_threshold() {
     assert_eq!(code(&["compare", "nowhere.png", "expected.png"]), Some(2));
     assert_eq!(code(&["compare", "noisy.jpg", "expected.png", "-o", "difference.jpg"]), Some(2));
     let output = skycube(folder.path(), &["compare", "flipped.exr", "expected.png", "--json"]);
-    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = common::json_report(&common::text(&output.stdout));
     assert_eq!(report["findings"][0]["operation"], "flip left-right");
 }

@@ -7,7 +7,7 @@ use std::process::Output;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
-use common::{skycube, text};
+use common::{json_report, skycube, text};
 use serde_json::Value;
 use skycube::converge::{
     Comparison, Configuration, Convergence, Curve, Protocol, Schedule, Step, Unwatched, Variation, Watch, Work,
@@ -217,6 +217,7 @@ fn reports_are_stable() {
     let report = report();
     insta::assert_snapshot!("text", report);
     insta::assert_snapshot!("csv", converge_csv(&report));
+    json_report(&report.to_json());
     insta::assert_snapshot!("json", report.to_json());
 }
 
@@ -254,7 +255,7 @@ fn usual_comparisons_follow_the_scene() {
 
 fn report_of(output: &Output) -> Value {
     assert_eq!(output.status.code(), Some(0), "{}", text(&output.stderr));
-    serde_json::from_slice(&output.stdout).unwrap()
+    json_report(&text(&output.stdout))
 }
 
 #[test]

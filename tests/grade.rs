@@ -538,7 +538,7 @@ fn the_command_names_the_repair() {
     assert_eq!(code, Some(1));
     assert!(text.contains("    case NEG_Y: u = 1 - u\n"), "{text}");
     let (_, json, _) = run(&student, &["--json"]);
-    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let json = common::json_report(&json);
     assert_eq!(json["verdict"], "lookup");
     let face = &json["faces"][3];
     assert_eq!((&face["face"], &face["image"]), (&"negy".into(), &"negy".into()));

@@ -68,6 +68,7 @@ fn probe_prints_every_step() {
     let tie = stdout(&skycube(map, &["probe", "compass", "--direction", "2,2,2", "--filter", "seamless"]));
     insta::assert_snapshot!(tie);
     let json = stdout(&skycube(map, &["probe", "compass", "--direction", "-3,1,0.5", "--filter", "nearest", "--json"]));
+    common::json_report(&json);
     insta::assert_snapshot!(json);
 }
 

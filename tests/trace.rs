@@ -116,7 +116,7 @@ fn the_command_tells_the_colour_that_the_picture_holds() {
             let arguments = [&["trace", LESSON, "--pixel", &pixel, "--json"], &more[..]].concat();
             let (code, json, error) = skycube(folder.path(), &arguments);
             assert_eq!(code, Some(0), "{error}");
-            let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+            let json = common::json_report(&json);
             let told: Vec<u32> =
                 json["colour"].as_array().unwrap().iter().map(|v| (v.as_f64().unwrap() as f32).to_bits()).collect();
             assert_eq!(told, bits(picture.texel(x, y)), "{kind} {pixel}");

@@ -10,8 +10,8 @@ use skycube::envmap::source::Skybox;
 use skycube::envmap::{CubeFilter, CubeMap, Face, LazyImage, Lookup, Preset, SignedAxis};
 use skycube::error::Error;
 use skycube::picture::Picture;
-use skycube::report::{CheckReport, Look, MapCheck, Page, Totals, check_json, map_line, totals_line};
-use skycube::validate::{Check, CheckOptions, Convention, ImageFacts, Names, Note, Verdict, check, load};
+use skycube::report::{CheckReport, CheckedMap, Look, MapCheck, Page, Totals, check_json, map_line, totals_line};
+use skycube::validate::{Check, CheckOptions, Convention, ImageFacts, Level, Names, Note, Verdict, check, load};
 
 fn options(lookup: Preset, world_up: Option<SignedAxis>) -> CheckOptions {
     CheckOptions { world_up, names: Names::Auto, lookup_name: lookup.name().to_owned() }
@@ -166,7 +166,9 @@ fn the_report_on_a_right_map() {
     let report = CheckReport::new("compass".to_owned(), &check);
     assert_eq!(report.to_string().lines().count(), 3);
     insta::assert_snapshot!("compass_text", looks(&report.page(false)));
-    insta::assert_snapshot!("compass_json", check_json(&[("compass".to_owned(), Ok(check))]));
+    let json = check_json(&[CheckedMap::new("compass", Ok(check))]);
+    common::json_report(&json);
+    insta::assert_snapshot!("compass_json", json);
 }
 
 #[test]
@@ -176,7 +178,31 @@ fn the_report_on_the_exercise() {
     let report = CheckReport::new("compass".to_owned(), &check);
     insta::assert_snapshot!("exercise_text", looks(&report.page(false)));
     insta::assert_snapshot!("exercise_verbose", looks(&report.page(true)));
-    insta::assert_snapshot!("exercise_json", check_json(&[("compass".to_owned(), Ok(check))]));
+    let json = check_json(&[CheckedMap::new("compass", Ok(check))]);
+    common::json_report(&json);
+    insta::assert_snapshot!("exercise_json", json);
+}
+
+/// The kinds, levels and files of what was found, remarks left out.
+fn faults(check: &Check) -> Vec<(&'static str, Level, String)> {
+    let found = check.findings().into_iter().filter(|finding| finding.level != Level::Note);
+    found.map(|finding| (finding.kind, finding.level, finding.files.join(" "))).collect()
+}
+
+#[test]
+fn findings_name_the_kind_the_level_and_the_files() {
+    assert_eq!(faults(&swapped()), [("exchanged", Level::Error, "posx.png posz.png".to_owned())]);
+    let turned = turned();
+    assert_eq!(faults(&turned), [("edited", Level::Error, "posy.png".to_owned())]);
+    assert_eq!(turned.findings()[0].sentence, "posy.png: turn 90° counterclockwise");
+    let copied = faulty(|pictures| pictures[0] = pictures[4].clone());
+    assert_eq!(faults(&copied), [("outlier", Level::Error, "posx.png".to_owned())]);
+    let figures = serde_json::json!({ "face": "posx", "reason": "copy", "copy_of": "posz" });
+    assert_eq!(copied.findings()[0].figures, figures);
+    let fits = faulty(|_| ());
+    assert_eq!((fits.verdict, faults(&fits)), (Verdict::Fits, vec![]));
+    let flat = faulty(|pictures| *pictures = [(); 6].map(|()| pictures::computed(64, |_, _| [128.0; 3])));
+    assert_eq!((flat.verdict, faults(&flat)[0].0), (Verdict::Undecidable, "undecidable"));
 }
 
 /// The compass with one fault.

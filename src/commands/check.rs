@@ -4,15 +4,20 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::config::{Config, Reading};
 use super::engine_option::EngineOption;
+use super::library::maps_at;
 use super::map_options::{DEFAULT_LOOKUP, check_skybox};
 use super::options::read_lookup;
-use super::terminal::{Outcome, print, remark, show, tell};
+use super::report_options::ReportOptions;
+use super::terminal::{Outcome, remark, show, tell};
 use crate::envmap::SignedAxis;
-use crate::envmap::source::{Skybox, is_meant_as_map, is_passed_over, sets_in};
+use crate::envmap::source::Skybox;
 use crate::error::{Error, Result};
-use crate::report::{CheckReport, Totals, check_json, counted_maps, map_line, totals_line};
-use crate::validate::{Check, CheckOptions, Names, Verdict};
+use crate::report::{
+    CheckReport, CheckedMap, ConfigReport, Examined, Totals, check_json, counted_maps, map_line, totals_line,
+};
+use crate::validate::{Check, CheckOptions, Names};
 
 /// The options of all commands that check a map.
 #[derive(Debug, Args)]
@@ -31,26 +36,46 @@ pub struct ValidationOptions {
     /// Ignore the names: every image may go to every face
     #[arg(long)]
     pub any_order: bool,
+    /// Pass over skycube.toml, which sets lookup or engine, up axis and allowed findings of the maps below its folder
+    #[arg(long)]
+    pub no_config: bool,
 }
 
 impl ValidationOptions {
-    pub fn check_options(&self) -> CheckOptions {
+    /// Checks a map that is open; `path` is where its configuration is looked for. Options of the command line come first.
+    pub fn check(&self, path: &Path, skybox: &Skybox) -> Result<(Check, Option<ConfigReport>, Reading)> {
+        let config = if self.no_config { None } else { Config::above(path)? };
+        let reading = Reading { lookup: self.lookup.clone(), engine: self.engine, world_up: self.world_up };
+        let reading = reading.configured(config.as_ref());
+        let (lookup, engine) = (reading.lookup.as_deref(), reading.engine);
         let names = match (self.trust_names, self.any_order) {
             (true, _) => Names::Trusted,
             (_, true) => Names::AnyOrder,
             _ => Names::Auto,
         };
-        CheckOptions {
-            world_up: self.world_up.or(self.engine.world_up()),
+        let options = CheckOptions {
+            world_up: reading.world_up.or(engine.world_up()),
             names,
-            lookup_name: self.engine.name(self.lookup.as_deref(), DEFAULT_LOOKUP),
-        }
+            lookup_name: engine.name(lookup, DEFAULT_LOOKUP),
+        };
+        let lookup = engine.lookup(lookup, DEFAULT_LOOKUP, skybox)?;
+        Ok((check_skybox(skybox, lookup, &options)?.1, config, reading))
     }
 
-    /// Opens and checks a map.
-    pub fn check(&self, skybox: &Skybox) -> Result<Check> {
-        let lookup = self.engine.lookup(self.lookup.as_deref(), DEFAULT_LOOKUP, skybox)?;
-        Ok(check_skybox(skybox, lookup, &self.check_options())?.1)
+    /// The same for a map that may not have opened.
+    fn checked(&self, name: String, path: &Path, skybox: Result<Skybox>) -> CheckedMap {
+        let skybox = match skybox {
+            Ok(skybox) => skybox,
+            Err(error) => return CheckedMap::new(name, Err(error)),
+        };
+        let files = skybox.images.iter().map(|image| image.file().to_path_buf()).collect();
+        match self.check(path, &skybox) {
+            Ok((check, config, reading)) => {
+                let remarks = reading.engine.description().into_iter().chain(config.as_ref().map(ConfigReport::line));
+                CheckedMap { files, remarks: remarks.collect(), config, ..CheckedMap::new(name, Ok(check)) }
+            }
+            Err(error) => CheckedMap { files, ..CheckedMap::new(name, Err(error)) },
+        }
     }
 }
 
@@ -68,125 +93,90 @@ pub struct CheckArguments {
     /// Show every seam and every note
     #[arg(short, long)]
     verbose: bool,
-    /// Print the report as JSON
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    pub(super) report: ReportOptions,
 }
 
 /// Checks one map in full, or several with a line each.
 pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
     arguments.validation.lookup.as_deref().map(read_lookup).transpose()?;
+    let check = |name: String, path: &Path, skybox| arguments.validation.checked(name, path, skybox);
     if let Some(skybox) = Skybox::of_six_squares(&arguments.maps) {
         let name = arguments.maps.iter().map(|path| path.display().to_string()).collect::<Vec<_>>().join(" ");
-        return check_one(name, Ok(skybox), arguments);
+        return report_one(check(name, &arguments.maps[0], Ok(skybox)), arguments);
     }
     if let [map] = &arguments.maps[..]
         && let Ok(skybox) = Skybox::open_lenient(map)
     {
-        return check_one(map.display().to_string(), Ok(skybox), arguments);
+        return report_one(check(map.display().to_string(), map, Ok(skybox)), arguments);
     }
     let maps: Vec<PathBuf> = arguments.maps.iter().flat_map(|map| maps_at(map)).collect();
     match &maps[..] {
-        [map] if arguments.maps == maps => check_one(map.display().to_string(), Skybox::open_lenient(map), arguments),
+        [map] if arguments.maps == maps => {
+            report_one(check(map.display().to_string(), map, Skybox::open_lenient(map)), arguments)
+        }
         _ => check_several(&maps, arguments),
     }
 }
 
-/// The maps that an argument stands for: those inside a folder of maps, else the argument itself.
-fn maps_at(path: &Path) -> Vec<PathBuf> {
-    let sets = sets_in(path);
-    if !sets.is_empty() {
-        return sets;
+/// Reports on one map in full.
+fn report_one(one: CheckedMap, arguments: &CheckArguments) -> Result<Outcome> {
+    let CheckArguments { report, strict, .. } = arguments;
+    if report.is_text()
+        && let (name, Ok(check)) = &one.map
+    {
+        show(&CheckReport::new(name.clone(), check).page(arguments.verbose));
+        one.remarks.iter().for_each(|line| tell(format_args!("{line}\n")));
     }
-    let inside = if is_map(path) { Vec::new() } else { maps_inside(path) };
-    if inside.is_empty() { vec![path.to_owned()] } else { inside }
-}
-
-/// True if the path is a map, or a folder that is meant as one: what lies deeper does not stand for it.
-fn is_map(path: &Path) -> bool {
-    Skybox::open_lenient(path).is_ok() || is_meant_as_map(path)
-}
-
-fn check_one(name: String, skybox: Result<Skybox>, arguments: &CheckArguments) -> Result<Outcome> {
-    let checks = [(name, skybox.and_then(|skybox| arguments.validation.check(&skybox)))];
-    if arguments.json {
-        print(format_args!("{}\n", check_json(&checks)));
-    }
-    let [(name, checked)] = checks;
-    match checked {
-        Ok(check) => {
-            if !arguments.json {
-                show(&CheckReport::new(name, &check).page(arguments.verbose));
-                arguments.validation.engine.description().iter().for_each(tell);
-            }
-            Ok(outcome(check.verdict, arguments.strict))
-        }
+    print_list(std::slice::from_ref(&one), arguments);
+    let outcome = if one.has_fault(*strict) { Outcome::Faults } else { Outcome::Clean };
+    match one.map.1 {
         // A damaged picture is a fault of the map like any other.
-        Err(error) if error.is_damage() => {
-            remark(format_args!("error: {error}\n"));
-            Ok(Outcome::Faults)
-        }
-        Err(error) => Err(error),
+        Err(error) if error.is_damage() => remark(format_args!("error: {error}\n")),
+        Err(error) => return Err(error),
+        Ok(_) => {}
     }
-}
-
-/// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one, and an archive
-/// that cannot be read, is listed too: its line says what is wrong. A link to a folder is followed only if that is a map.
-fn maps_inside(folder: &Path) -> Vec<PathBuf> {
-    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
-    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
-    paths.sort();
-    let mut maps = Vec::new();
-    for path in paths {
-        let archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
-        let is_face = |name: &std::ffi::OsStr| !is_passed_over(&name.to_string_lossy());
-        if path.is_file() && !archive && !path.file_name().is_some_and(is_face) {
-            continue;
-        }
-        let sets = sets_in(&path);
-        if !sets.is_empty() {
-            maps.extend(sets);
-        } else if archive || is_map(&path) {
-            maps.push(path);
-        } else if path.is_dir() && !path.is_symlink() {
-            maps.extend(maps_at(&path));
-        }
-    }
-    maps
+    Ok(report.outcome(outcome))
 }
 
 fn check_several(maps: &[PathBuf], arguments: &CheckArguments) -> Result<Outcome> {
     let mut checks = Vec::new();
-    for map in maps {
-        let checked = Skybox::open_lenient(map).and_then(|skybox| arguments.validation.check(&skybox));
-        if let Err(error) = &checked {
+    for path in maps {
+        let one = arguments.validation.checked(path.display().to_string(), path, Skybox::open_lenient(path));
+        if let Err(error) = &one.map.1 {
             remark(format_args!("error: {error}\n"));
         }
-        let check = (map.display().to_string(), checked);
-        if !arguments.json {
-            show(&map_line(&check));
+        if arguments.report.is_text() {
+            show(&map_line(&one.map));
+            if one.is_allowed() {
+                tell(format_args!("  {}\n", one.config.as_ref().map(ConfigReport::line).unwrap_or_default()));
+            }
         }
-        checks.push(check);
+        checks.push(one);
     }
-    let totals = Totals::of(&checks);
-    if arguments.json {
-        print(format_args!("{}\n", check_json(&checks)));
-    } else {
+    print_list(&checks, arguments);
+    let totals = Totals::of(checks.iter().map(|one| &one.map));
+    if arguments.report.is_text() {
         show(&totals_line(&totals));
+        let mut configs: Vec<&str> = checks.iter().filter_map(|one| Some(one.config.as_ref()?.file.as_str())).collect();
+        configs.dedup();
+        configs.iter().for_each(|file| tell(format_args!("settings from {file}\n")));
     }
-    let Totals { broken, undecidable, failed, .. } = totals;
-    let damaged = checks.iter().filter(|(_, checked)| checked.as_ref().is_err_and(Error::is_damage)).count();
-    if failed > damaged {
-        return Err(Error::new(format!("{failed} of {} could not be checked", counted_maps(maps.len()))));
+    let damaged = checks.iter().filter(|one| one.map.1.as_ref().is_err_and(Error::is_damage)).count();
+    if totals.failed > damaged {
+        return Err(Error::new(format!("{} of {} could not be checked", totals.failed, counted_maps(maps.len()))));
     }
-    let faults = broken > 0 || damaged > 0 || (arguments.strict && undecidable > 0);
-    Ok(if faults { Outcome::Faults } else { Outcome::Clean })
+    let faults = checks.iter().any(|one| one.has_fault(arguments.strict));
+    Ok(arguments.report.outcome(if faults { Outcome::Faults } else { Outcome::Clean }))
 }
 
-fn outcome(verdict: Verdict, strict: bool) -> Outcome {
-    match verdict {
-        Verdict::Fits => Outcome::Clean,
-        Verdict::Undecidable if !strict => Outcome::Clean,
-        _ => Outcome::Faults,
+/// Everything in the form that the user chose; for a person who wants the faults only, a line for each map that has some.
+fn print_list(checks: &[CheckedMap], arguments: &CheckArguments) {
+    let CheckArguments { report, strict, .. } = arguments;
+    if report.is_quiet_text() {
+        let faulty = checks.iter().filter(|one| one.has_fault(*strict));
+        faulty.for_each(|one| show(&map_line(&one.map)));
     }
+    let examined: Vec<Examined> = checks.iter().map(|one| one.examined(*strict)).collect();
+    report.print("check", &examined, || check_json(checks));
 }

@@ -62,7 +62,7 @@ pub struct ConvergeArguments {
     overrides: SettingOverrides,
     /// Print the report as JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
 }
 
 /// Counts of samples, ascending.

@@ -18,6 +18,16 @@ pub struct EngineOption {
 const ENGINES: &str = "opengl|vulkan|directx|threejs|babylon|unity|unreal|godot|blender";
 
 impl EngineOption {
+    /// The option with this engine.
+    pub fn of(engine: Option<Engine>) -> Self {
+        Self { engine }
+    }
+
+    /// True if there is an engine.
+    pub fn is_given(&self) -> bool {
+        self.engine.is_some()
+    }
+
     /// What reports call the lookup: the name of the engine, or that of the lookup.
     pub fn name<'a>(&self, lookup: Option<&'a str>, default: &'a str) -> String {
         self.engine.map_or_else(|| lookup.unwrap_or(default).to_owned(), Engine::name)

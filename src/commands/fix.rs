@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::check::ValidationOptions;
 use super::engine_option::EngineOption;
+use super::library::for_each_map;
 use super::options::{refuse_shared_images, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::refuse_rivals;
 use super::terminal::{Outcome, print, remark, tell};
@@ -18,9 +19,10 @@ use crate::validate::{Check, FaceFix, Verdict};
 
 #[derive(Debug, Args)]
 pub struct FixArguments {
-    /// A folder, zip, cross or strip; - for a zip or picture on standard input
+    /// A folder, zip, cross or strip; a folder of maps; - for a zip or picture on standard input
     map: PathBuf,
-    /// The folder to write the six corrected files to, under the names of --engine; made if it is missing
+    /// The folder to write the six corrected files to, under the names of --engine; made if it is missing. Of a folder of maps,
+    /// each gets its own inside
     #[arg(short, long, value_name = "DIR")]
     output: Option<PathBuf>,
     /// Print the corrected lookup instead
@@ -37,18 +39,23 @@ struct Corrected {
     what: String,
 }
 
-/// Checks the map and repairs it. Ends with faults if the map is still broken.
+/// Repairs a map, or each map of a folder. Ends with faults if a map is still broken.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
         return Err(Error::new("there is no place for the fix")
             .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|java|python|csharp|toml for the corrected lookup"));
     }
-    let skybox = Skybox::open_lenient(&arguments.map)?;
-    let check = arguments.validation.check(&skybox)?;
+    for_each_map(&arguments.map, arguments.output.as_deref(), |map, output| fix(arguments, map, output))
+}
+
+fn fix(arguments: &FixArguments, map: &Path, output: Option<&Path>) -> Result<Outcome> {
+    let skybox = Skybox::open_lenient(map)?;
+    let (check, config, reading) = arguments.validation.check(map, &skybox)?;
+    config.iter().for_each(|config| remark(format_args!("{}\n", config.line())));
     if let Some(language) = arguments.code {
         print(lookup_code(&check.fix.lookup(&check.lookup), &check.lookup, language));
-    } else if let Some(folder) = &arguments.output {
-        write_files(&skybox, &check, folder, arguments.validation.engine)?;
+    } else if let Some(folder) = output {
+        write_files(&skybox, &check, folder, reading.engine)?;
         if check.verdict == Verdict::Fits && check.fix.changes == 0 {
             remark(format_args!("nothing to fix: the faces fit as they are\n"));
         }
@@ -149,6 +156,7 @@ mod tests {
             world_up: None,
             trust_names: false,
             any_order: false,
+            no_config: true,
         };
         let arguments =
             FixArguments { map: folder.path().to_owned(), output: Some(output.clone()), code: None, validation };

@@ -6,6 +6,7 @@ use clap::Args;
 
 use super::engine_option::EngineOption;
 use super::progress_bar::Spinner;
+use super::report_options::ReportOptions;
 use super::terminal::{Outcome, print, tell};
 use crate::envmap::source::Skybox;
 use crate::envmap::{Face, Lookup, Preset, SignedAxis, World};
@@ -36,11 +37,10 @@ pub struct GradeArguments {
     #[arg(long, value_name = "AXIS", allow_hyphen_values = true)]
     world_up: Option<SignedAxis>,
     /// Print the repaired function instead, with marks where your code differs
-    #[arg(long, value_name = "LANGUAGE", conflicts_with = "json")]
+    #[arg(long, value_name = "LANGUAGE", conflicts_with_all = ["json", "format"])]
     code: Option<CodeLanguage>,
-    /// Print the grade as JSON
-    #[arg(long)]
-    json: bool,
+    #[command(flatten)]
+    pub(super) report: ReportOptions,
 }
 
 /// Grades and prints.
@@ -63,13 +63,16 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
         table: lookup,
         world_up,
     };
-    match arguments.code {
-        Some(language) => print(lookup_code(&lookup, &grade.lookup_of_code(&lookup), language)),
-        None if arguments.json => print(format_args!("{}\n", report.to_json())),
-        None => tell(&report),
-    }
     let clean = matches!(grade.verdict(), GradeVerdict::Right | GradeVerdict::Undecided);
-    Ok(if clean { Outcome::Clean } else { Outcome::Faults })
+    if let Some(language) = arguments.code {
+        print(lookup_code(&lookup, &grade.lookup_of_code(&lookup), language));
+    } else if arguments.report.is_text() {
+        tell(&report);
+    } else if arguments.report.is_quiet_text() && !clean {
+        tell(format_args!("{}: {}\n", arguments.shots.display(), report.verdict()));
+    }
+    arguments.report.print("grade", &[report.examined(&arguments.shots)], || report.to_json());
+    Ok(arguments.report.outcome(if clean { Outcome::Clean } else { Outcome::Faults }))
 }
 
 /// Reads the images and the shots, and grades them.

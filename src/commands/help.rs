@@ -8,20 +8,23 @@ const GROUPS: [(&str, &[&str]); 5] = [
     ("Grade and compare", &["grade", "compare"]),
     ("Render", &["render", "bake", "trace", "converge", "stress"]),
     ("Learn", &["lessons"]),
-    ("Shell", &["completions", "man", "help"]),
+    ("Shell", &["schema", "completions", "man", "help"]),
 ];
 
 /// What one types, in the order of the groups.
 #[rustfmt::skip]
-const EXAMPLES: [(&str, &[&str]); 16] = [
+const EXAMPLES: [(&str, &[&str]); 17] = [
     ("check", &[
         "skycube check Meadow.zip",
         "skycube check textures/sky --engine unity",
         "skycube check skies/*/ --strict",
+        "skycube check skies -q",
+        "skycube check skies --format github",
         "curl -s https://example.com/sky.zip | skycube check -",
     ]),
     ("fix", &[
         "skycube fix Meadow.zip -o repaired",
+        "skycube fix skies -o repaired",
         "skycube fix textures/sky --lookup exercise --code cpp",
     ]),
     ("view", &[
@@ -30,6 +33,7 @@ const EXAMPLES: [(&str, &[&str]); 16] = [
     ]),
     ("cross", &[
         "skycube cross Meadow.zip -o cross.png",
+        "skycube cross skies --sheet -o skies.png",
         "skycube cross textures/sky --engine unreal --fixed -o cross.png",
         "skycube cross Meadow.zip -o - | display",
     ]),
@@ -47,6 +51,8 @@ const EXAMPLES: [(&str, &[&str]); 16] = [
     ("compare", &[
         "skycube compare mine.png expected.png",
         "skycube compare mine.png expected.png --metric psnr --threshold 35 -o difference.png",
+        "skycube compare renders expected -o differences.html",
+        "skycube compare renders expected --update",
         "my-renderer scene.txt | skycube compare - expected.png",
     ]),
     ("render", &[
@@ -71,6 +77,9 @@ const EXAMPLES: [(&str, &[&str]); 16] = [
         "skycube lessons",
         "skycube lessons 06 --language cs",
         "skycube lessons start 06 -o my-lesson",
+    ]),
+    ("schema", &[
+        "skycube schema check > check.schema.json",
     ]),
     ("completions", &[
         "skycube completions bash > ~/.local/share/bash-completion/completions/skycube",

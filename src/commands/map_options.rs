@@ -1,9 +1,10 @@
 //! The options of commands that look at a map under a lookup.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::config::{Config, Reading};
 use super::engine_option::EngineOption;
 use crate::envmap::source::{Naming, Skybox};
 use crate::envmap::{CubeFilter, CubeMap, Face, Lookup, Preset, SignedAxis};
@@ -14,12 +15,15 @@ use crate::validate::{Check, CheckOptions, ImageFacts, Names, Note, check, load}
 #[derive(Debug, Args)]
 pub struct MapOptions {
     /// The map: a folder, a zip, a cross or strip picture, an OpenEXR cube; - for a zip or picture on standard input
-    map: PathBuf,
+    pub map: PathBuf,
     /// The lookup: a preset or a TOML file [default: opengl]
     #[arg(long)]
     lookup: Option<String>,
     #[command(flatten)]
-    pub engine: EngineOption,
+    engine: EngineOption,
+    /// Pass over skycube.toml, which sets lookup or engine and up axis of the maps below its folder
+    #[arg(long)]
+    no_config: bool,
 }
 
 /// The lookup where none is given.
@@ -47,8 +51,10 @@ pub struct OpenMap {
     pub name: String,
     /// The name of the lookup, as given by the user.
     pub lookup_name: String,
-    /// The axis that points up in the world of the engine, if the user named one.
-    pub engine_up: Option<SignedAxis>,
+    /// The axis that points up in the world, by the configuration or the engine.
+    pub usual_up: Option<SignedAxis>,
+    /// How the engine shows the map, if there is one, and what the configuration says.
+    pub remarks: Vec<String>,
     /// Files that must not be overwritten.
     pub sources: Vec<PathBuf>,
 }
@@ -56,15 +62,28 @@ pub struct OpenMap {
 impl MapOptions {
     /// Opens the map, with faces of any size as in `check`, and reads the lookup.
     pub fn open(&self) -> Result<OpenMap> {
-        let given = self.lookup.as_deref();
-        let skybox = Skybox::open_lenient(&self.map)?;
-        let lookup = self.engine.lookup(given, DEFAULT_LOOKUP, &skybox)?;
+        self.open_at(&self.map)
+    }
+
+    /// The same for one of the maps in a folder.
+    pub fn open_at(&self, map: &Path) -> Result<OpenMap> {
+        let skybox = Skybox::open_lenient(map)?;
+        let config = if self.no_config { None } else { Config::above(map)? };
+        let reading = Reading { lookup: self.lookup.clone(), engine: self.engine, world_up: None };
+        let Reading { lookup: given, engine, world_up } = reading.configured(config.as_ref());
+        let lookup = engine.lookup(given.as_deref(), DEFAULT_LOOKUP, &skybox)?;
         let mut sources = skybox.files();
-        sources.extend(given.map(PathBuf::from));
-        let name =
-            self.map.file_name().map_or_else(|| self.map.display().to_string(), |name| name.display().to_string());
-        let engine_up = self.engine.world_up();
-        Ok(OpenMap { skybox, lookup, name, engine_up, lookup_name: self.engine.name(given, DEFAULT_LOOKUP), sources })
+        sources.extend(given.iter().map(PathBuf::from));
+        let name = map.file_name().map_or_else(|| map.display().to_string(), |name| name.display().to_string());
+        Ok(OpenMap {
+            skybox,
+            lookup,
+            name,
+            lookup_name: engine.name(given.as_deref(), DEFAULT_LOOKUP),
+            usual_up: world_up.or(engine.world_up()),
+            remarks: engine.description().into_iter().chain(config.map(|config| config.line())).collect(),
+            sources,
+        })
     }
 }
 
@@ -77,7 +96,7 @@ impl OpenMap {
     /// The map under its lookup, all images decoded on all cores, and what the validator says of it. `world_up` is the
     /// axis that the user named.
     pub fn checked(&self, filter: CubeFilter, world_up: Option<SignedAxis>) -> Result<(CubeMap, Check)> {
-        let world_up = world_up.or(self.engine_up);
+        let world_up = world_up.or(self.usual_up);
         let options = CheckOptions { world_up, lookup_name: self.lookup_name.clone(), ..CheckOptions::default() };
         let (mut map, check) = check_skybox(&self.skybox, self.lookup, &options)?;
         map.set_filter(filter);
@@ -107,21 +126,23 @@ pub fn check_skybox(skybox: &Skybox, lookup: Lookup, options: &CheckOptions) -> 
     Ok((map, check))
 }
 
-impl MapOptions {
-    /// The world's up axis if the user named `world_up`, and a sentence if it follows from the engine or from the lookup's name.
+impl OpenMap {
+    /// The world's up axis if the user named `world_up`, and what is said of it: by the engine, by the configuration, or that it
+    /// was assumed.
     pub fn up_axis(&self, world_up: Option<SignedAxis>) -> (SignedAxis, Option<String>) {
-        if let Some(world_up) = world_up.or(self.engine.world_up()) {
-            return (world_up, self.engine.description());
-        }
-        let name = self.lookup.as_deref().unwrap_or(DEFAULT_LOOKUP);
-        let world_up = Preset::usual_up_of(name);
-        (world_up, Some(format!("assumed a world with {world_up} up, for the lookup {name}; --world-up changes this")))
+        let mut remarks = self.remarks.clone();
+        let world_up = world_up.or(self.usual_up).unwrap_or_else(|| {
+            let (name, world_up) = (&self.lookup_name, Preset::usual_up_of(&self.lookup_name));
+            remarks.push(format!("assumed a world with {world_up} up, for the lookup {name}; --world-up changes this"));
+            world_up
+        });
+        (world_up, (!remarks.is_empty()).then(|| remarks.join("\n")))
     }
 }
 
 impl ViewOptions {
-    /// The world's up axis, and a sentence if it follows from the engine or from the lookup's name.
-    pub fn world_up(&self) -> (SignedAxis, Option<String>) {
-        self.map.up_axis(self.world_up)
+    /// The same for the axis of these options.
+    pub fn world_up(&self, map: &OpenMap) -> (SignedAxis, Option<String>) {
+        map.up_axis(self.world_up)
     }
 }

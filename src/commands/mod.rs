@@ -3,6 +3,8 @@
 mod bake;
 mod check;
 mod compare;
+mod compare_folders;
+mod config;
 mod converge;
 mod cross;
 mod engine_option;
@@ -11,12 +13,15 @@ mod grade;
 mod help;
 mod interrupt;
 mod lessons;
+mod library;
 mod map_options;
 mod options;
 mod own_output;
 mod probe;
 mod progress_bar;
 mod render;
+mod report_options;
+mod schema;
 mod shell;
 mod shots;
 #[cfg(feature = "stress")]
@@ -36,8 +41,9 @@ use skycube_tracer::memory::set_memory_budget;
 use skycube_tracer::take_notes;
 
 use crate::error::{Error, Result};
+use crate::report::{Examined, ReportFormat, failure_json, listed};
 pub use terminal::Outcome;
-use terminal::{choose_colours, lost_output, remark};
+use terminal::{choose_colours, has_printed, lost_output, print, remark};
 
 /// A small, complete ray tracer for teaching, and a validator that says how to repair a skybox.
 #[derive(Debug, Parser)]
@@ -74,6 +80,8 @@ enum Command {
     Lessons(lessons::LessonsArguments),
     /// Follow the lookup of one direction step by step
     Probe(probe::ProbeArguments),
+    /// Print the JSON Schema of a command's report
+    Schema(schema::SchemaArguments),
     /// Render six pictures of a map along the axes, and a contact sheet
     Shots(shots::ShotsArguments),
     #[cfg(feature = "stress")]
@@ -100,14 +108,50 @@ pub fn run() -> ExitCode {
     if let Some(bytes) = arguments.memory {
         set_memory_budget(bytes);
     }
+    let form = arguments.command.form();
     let result = catch_unwind(AssertUnwindSafe(|| threads::on_all(|| command(arguments.command))));
     for note in take_notes() {
         remark(format_args!("note: {}\n", printable(&note)));
     }
-    exit_code(result.unwrap_or_else(|_| Err(Error::new("this is a bug in skycube, not your mistake").help(REPORT))))
+    let result = result.unwrap_or_else(|_| Err(Error::new("this is a bug in skycube, not your mistake").help(REPORT)));
+    if let (Err(error), Some((command, format))) = (&result, form) {
+        print_failure(command, format, error);
+    }
+    exit_code(result)
 }
 
 const REPORT: &str = "please report the message above together with the files";
+
+impl Command {
+    /// Its name and the form of its report, if that can be for other programs.
+    fn form(&self) -> Option<(&'static str, ReportFormat)> {
+        let json = |json: bool| if json { ReportFormat::Json } else { ReportFormat::Text };
+        Some(match self {
+            Self::Check(arguments) => ("check", arguments.report.format()),
+            Self::Compare(arguments) => ("compare", arguments.report.format()),
+            Self::Converge(arguments) => ("converge", json(arguments.json)),
+            Self::Grade(arguments) => ("grade", arguments.report.format()),
+            Self::Probe(arguments) => ("probe", json(arguments.json)),
+            Self::Render(arguments) => ("render", json(arguments.json)),
+            #[cfg(feature = "stress")]
+            Self::Stress(arguments) => ("stress", json(arguments.json)),
+            Self::Trace(arguments) => ("trace", json(arguments.json)),
+            _ => return None,
+        })
+    }
+}
+
+/// What a program reads if a command could not run, unless the report itself says it.
+fn print_failure(command: &str, format: ReportFormat, error: &Error) {
+    if has_printed() {
+        return;
+    }
+    match format {
+        ReportFormat::Text => {}
+        ReportFormat::Json => print(format_args!("{}\n", failure_json(command, error))),
+        format => print(listed(format, command, &[Examined::failed(command.to_owned(), error)])),
+    }
+}
 
 fn command(command: Command) -> Result<Outcome> {
     match command {
@@ -120,6 +164,7 @@ fn command(command: Command) -> Result<Outcome> {
         Command::Grade(arguments) => grade::run(&arguments),
         Command::Lessons(arguments) => lessons::run(&arguments),
         Command::Probe(arguments) => probe::run(&arguments),
+        Command::Schema(arguments) => schema::run(&arguments),
         Command::Shots(arguments) => shots::run(&arguments),
         #[cfg(feature = "stress")]
         Command::Stress(arguments) => stress::run(&arguments),

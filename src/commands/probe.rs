@@ -22,7 +22,7 @@ pub struct ProbeArguments {
     filter: CubeFilter,
     /// Print the steps as JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
 }
 
 /// Follows the direction and prints every step.

@@ -42,7 +42,7 @@ pub struct RenderArguments {
     picture: PictureOptions,
     /// Print the report as JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
 }
 
 /// Renders, writes, and says what was done.

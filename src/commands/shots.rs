@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 
+use super::library::for_each_map;
 use super::map_options::{OpenMap, ViewOptions};
 use super::options::{check_pixel_count, refuse_source_folder, refuse_to_overwrite_sources};
 use super::own_output::{refuse_pictures_of_others, refuse_rivals};
@@ -21,7 +22,8 @@ use crate::scene::Plan;
 pub struct ShotsArguments {
     #[command(flatten)]
     view: ViewOptions,
-    /// The folder to write posx.png to negz.png, named after the direction, and contact-sheet.png to; made if missing
+    /// The folder to write posx.png to negz.png, named after the direction, and contact-sheet.png to; made if missing. Of a
+    /// folder of maps, each gets its own inside
     #[arg(short, long, value_name = "FOLDER")]
     output: PathBuf,
     /// Side of a shot in pixels
@@ -38,14 +40,20 @@ pub struct ShotsArguments {
     tone_map: ToneMap,
 }
 
-/// Renders, writes, and says how the camera stood.
+/// Takes the shots of a map, or of each map of a folder.
 pub fn run(arguments: &ShotsArguments) -> Result<Outcome> {
+    for_each_map(&arguments.view.map.map, Some(&arguments.output), |map, output| {
+        shots(arguments, map, output.unwrap_or(&arguments.output))
+    })
+}
+
+/// Renders, writes, and says how the camera stood.
+fn shots(arguments: &ShotsArguments, path: &Path, folder: &Path) -> Result<Outcome> {
     let size = arguments.size as usize;
     let pictures = if arguments.fixed { 12 } else { 6 };
     check_pixel_count([pictures * size, size]).map_err(|error| error.at_key("--size"))?;
-    let map = arguments.view.map.open()?;
-    let (world_up, assumption) = arguments.view.world_up();
-    let folder = &arguments.output;
+    let map = arguments.view.map.open_at(path)?;
+    let (world_up, assumption) = arguments.view.world_up(&map);
     let sheet_file = folder.join(CONTACT_SHEET);
     // Nothing is rendered before all targets are found free.
     let mut plans = vec![ShotPlan::new(&map, map.lookup, map.lookup_name.clone(), folder, &sheet_file)?];

@@ -27,7 +27,7 @@ pub struct StressArguments {
     plot: Option<PathBuf>,
     /// Print the report as JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
 }
 
 /// Sweeps and prints.

@@ -28,6 +28,14 @@ static LOST_OUTPUT: OnceLock<std::io::Error> = OnceLock::new();
 /// True once standard output is for a picture.
 static PICTURE_ON_STDOUT: AtomicBool = AtomicBool::new(false);
 
+/// Whether anything was printed.
+static PRINTED: AtomicBool = AtomicBool::new(false);
+
+/// True if a part of a report is out.
+pub(super) fn has_printed() -> bool {
+    PRINTED.load(Ordering::Relaxed)
+}
+
 /// Leaves standard output to the picture if that is where it goes: reports then go to standard error.
 pub(super) fn leave_stdout_to(picture: &Path) {
     PICTURE_ON_STDOUT.store(is_standard_stream(picture), Ordering::Relaxed);
@@ -83,6 +91,7 @@ pub(super) fn print(text: impl std::fmt::Display) {
 /// A reader that has gone (`skycube check MAP | head`) is not our fault; what is lost otherwise, on a full disk, makes the
 /// command fail in the end.
 fn write(mut stdout: impl std::io::Write, text: &str) {
+    PRINTED.store(true, Ordering::Relaxed);
     if let Err(error) = stdout.write_all(text.as_bytes()).and_then(|()| stdout.flush())
         && error.kind() != std::io::ErrorKind::BrokenPipe
     {

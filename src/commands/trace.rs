@@ -28,7 +28,7 @@ pub struct TraceArguments {
     overrides: SceneOverrides,
     /// Print the trace as JSON
     #[arg(long)]
-    json: bool,
+    pub(super) json: bool,
 }
 
 /// Follows the pixel and prints every step.

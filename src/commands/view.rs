@@ -33,7 +33,7 @@ pub struct ViewArguments {
 /// Checks the map and writes the page.
 pub fn run(arguments: &ViewArguments) -> Result<Outcome> {
     let map = arguments.map.open()?;
-    let (world_up, assumption) = arguments.map.up_axis(arguments.world_up);
+    let (world_up, assumption) = map.up_axis(arguments.world_up);
     let stem = std::path::Path::new(&map.name).file_stem().map_or_else(|| "map".into(), |stem| stem.to_os_string());
     let output = arguments.output.clone().unwrap_or_else(|| PathBuf::from(stem).with_extension("html"));
     if output.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("html")) {

@@ -86,6 +86,11 @@ impl Error {
         self.0.damaged
     }
 
+    /// The file the error is in.
+    pub fn file(&self) -> Option<&Path> {
+        self.0.file.as_deref()
+    }
+
     /// What is wrong, without place or advice.
     pub fn problem(&self) -> &str {
         &self.0.problem

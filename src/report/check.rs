@@ -1,18 +1,4 @@
-//! The report of `skycube check`, as text and as JSON.
-//!
-//! The JSON has an entry for each map, and `totals`. An entry has these keys, in this order, or `{ map, error }`; numbers are
-//! rounded to the digits that are stable:
-//!
-//! ```text
-//! map, lookup
-//! images:     [ { face, file, width, height, format } ]                       six, by name
-//! verdict:    fits | broken | undecidable
-//! seams:      [ { edge, step, detail, score, verdict } ]                      twelve, as they are now
-//! fix:        { faces: [ { face, image, u, v, image_operation, decided } ],   six; u, v of those the lookup computes
-//!               story, also: [ text ], changes, convention, margin, seams_after, equivalents }
-//! handedness: { mirrored: [ face ] }
-//! notes:      [ text ]
-//! ```
+//! The report of `skycube check` as text; [`super::map_check`] has it as JSON.
 
 mod repair;
 mod text;
@@ -23,7 +9,6 @@ pub use text::{counted_maps, map_line, totals_line};
 
 use serde::Serialize;
 
-use super::json::to_json;
 use crate::error::Result;
 use crate::validate::{Check, Verdict, joined};
 
@@ -60,7 +45,7 @@ pub struct Totals {
 
 impl Totals {
     /// Counts the verdicts.
-    pub fn of(checks: &[MapCheck]) -> Self {
+    pub fn of<'a>(checks: impl IntoIterator<Item = &'a MapCheck>) -> Self {
         let mut totals = Self::default();
         for (_, checked) in checks {
             let count = match checked.as_ref().map(|check| check.verdict) {
@@ -73,26 +58,6 @@ impl Totals {
         }
         totals
     }
-}
-
-/// The report for machines, on one map or several.
-pub fn check_json(checks: &[MapCheck]) -> String {
-    #[derive(Serialize)]
-    struct Json<'a> {
-        maps: Vec<Entry<'a>>,
-        totals: Totals,
-    }
-    #[derive(Serialize)]
-    #[serde(untagged)]
-    enum Entry<'a> {
-        Checked(CheckReport<'a>),
-        Failed { map: &'a str, error: String },
-    }
-    let maps = checks.iter().map(|(map, checked)| match checked {
-        Ok(check) => Entry::Checked(CheckReport::new(map.clone(), check)),
-        Err(error) => Entry::Failed { map, error: error.to_string() },
-    });
-    to_json("check", &Json { maps: maps.collect(), totals: Totals::of(checks) })
 }
 
 /// Why the fix of a map changes nothing, as a sentence without its full stop: the map may fit, be undecidable, or have

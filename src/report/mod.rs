@@ -6,10 +6,12 @@ mod code;
 mod compare;
 mod converge;
 mod drawing;
+mod formats;
 mod grade;
 mod grouped;
 mod json;
 mod lessons;
+mod map_check;
 mod page;
 mod probe;
 mod render;
@@ -19,18 +21,22 @@ mod stress;
 mod trace;
 mod view;
 
-pub use check::{CheckReport, MapCheck, Totals, check_json, map_line, totals_line};
-pub use compare::{CompareReport, Metric, draw_comparison};
+pub use check::{CheckReport, MapCheck, Totals, map_line, totals_line};
+pub use compare::{CompareReport, FolderReport, Metric, PairReport, PairVerdict, draw_comparison};
 pub use converge::{ConvergeReport, ConvergedScene, Measure, converge_csv, draw_convergence};
 pub use drawing::{Anchor, Drawing, draw_compass_face, text_path};
+pub use formats::ReportFormat;
 pub use grade::GradeReport;
+pub use map_check::{CheckedMap, ConfigReport, check_json};
 pub use page::{Column, Look, Meaning, Page, Span, Table};
 #[cfg(feature = "stress")]
 pub use stress::StressReport;
 
 pub(crate) use check::{counted_maps, nothing_to_fix, picture_repairs};
 pub(crate) use code::{CodeLanguage, lookup_code};
-pub(crate) use drawing::{CaptionedShot, CrossInput, draw_contact_sheet, draw_cross};
+pub(crate) use drawing::{CaptionedShot, CrossInput, MapThumbnail, draw_contact_sheet, draw_cross, draw_map_sheet};
+pub(crate) use formats::{Examined, listed};
+pub(crate) use json::failure_json;
 pub(crate) use lessons::{lesson_list, lesson_page, lesson_started};
 pub(crate) use probe::ProbeReport;
 pub(crate) use render::RenderReport;

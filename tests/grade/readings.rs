@@ -156,7 +156,7 @@ fn a_preset_in_the_code_is_named() {
     assert!(!text.contains("the camera is wrong, the lookup is right"), "{text}");
     assert!(!text.contains("--lookup was not given"), "{text}");
     let json = graded(&opengl, &["--lookup", "humus-z-up", "--json"]);
-    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let json = common::json_report(&json);
     assert_eq!(json["preset"], serde_json::json!({ "names": ["opengl"], "camera": "none" }));
 
     let text = graded(&["--lookup", "humus-z-up"], &[]);

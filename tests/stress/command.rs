@@ -1,6 +1,6 @@
 //! The command, and the warnings of `skycube render`.
 
-use crate::common::{skycube, text};
+use crate::common::{json_report, skycube, text};
 
 #[test]
 fn one_case_is_told_step_by_step() {
@@ -16,7 +16,7 @@ fn one_case_is_told_step_by_step() {
 fn the_report_for_machines_is_json() {
     let folder = tempfile::tempdir().unwrap();
     let output = skycube(folder.path(), &["stress", "--case", "mirrors", "--rays", "1000", "--json"]);
-    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = json_report(&text(&output.stdout));
     let case = &report["cases"][0];
     assert_eq!((case["name"].as_str(), case["group"].as_str()), (Some("mirrors"), Some("optics")));
     assert_eq!(case["sweep"].as_array().map(Vec::len), Some(13));
@@ -26,7 +26,7 @@ fn the_report_for_machines_is_json() {
 fn the_validator_is_swept_until_it_is_undecided() {
     let folder = tempfile::tempdir().unwrap();
     let output = skycube(folder.path(), &["stress", "--case", "check-frame", "--rays", "1000", "--json"]);
-    let report: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let report = json_report(&text(&output.stdout));
     let case = &report["cases"][0];
     assert_eq!((output.status.code(), case["group"].as_str()), (Some(0), Some("validator")));
     let sweep = case["sweep"].as_array().unwrap();

@@ -19,6 +19,7 @@
 mod borders;
 mod check;
 mod copies;
+mod finding;
 mod findings;
 mod note;
 mod notes;
@@ -34,6 +35,7 @@ mod verdict;
 
 pub use borders::edge::Edge;
 pub use check::{check, load};
+pub use finding::{Finding, KINDS, Level};
 pub use findings::{Check, FaceFix, Fix, ImageFacts};
 pub use note::{Note, PictureNames, joined, listed, why_outlier};
 pub use options::{CheckOptions, Names};

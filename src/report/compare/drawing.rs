@@ -5,6 +5,7 @@ use tiny_skia::{Color, Pixmap};
 use super::super::drawing::{Anchor, Canvas, Drawing, blank, broken_text, dark, displayed, ground, pixmap_of};
 use crate::colour::{ToneMap, magma_bytes};
 use crate::compare::{Comparison, Region, View};
+use crate::error::Result;
 use crate::metrics::Plane;
 
 const MARGIN: usize = 16;
@@ -51,6 +52,14 @@ fn draw_text(comparison: &Comparison, width: usize) -> Drawing {
         canvas.plain_text(line, FINDING, place, Anchor::Start, dark());
     }
     Drawing(pixmap)
+}
+
+/// PNG files of yours, the expected picture and the heat map of the difference.
+pub(super) fn encoded_views(view: &View) -> Result<[Vec<u8>; 3]> {
+    let [mine, expected] = [&view.mine, &view.expected].map(|raster| displayed(raster, ToneMap::Clamp));
+    let encoded = [mine, expected, heat_map(&view.flip)].map(|pixmap| Drawing(pixmap).encode());
+    let [mine, expected, difference] = encoded;
+    Ok([mine?, expected?, difference?])
 }
 
 fn draw_row(view: &View, name: &str, framed: Option<Region>) -> Drawing {

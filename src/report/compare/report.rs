@@ -1,16 +1,19 @@
 //! The report of `skycube compare`, as text and as JSON.
 
 use std::fmt;
+use std::path::Path;
 
 use clap::ValueEnum;
 use serde::Serialize;
 
-use super::super::json::to_json;
+use super::super::formats::{Examined, ReportedFinding};
+use super::pairs::{FolderReport, PairReport};
 use crate::choice::name_of;
 use crate::compare::{Comparison, Region, Verdict};
 use crate::digits::digits;
 use crate::metrics::Metrics;
 use crate::picture::Header;
+use crate::validate::Level;
 
 /// The measure that decides.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, ValueEnum)]
@@ -78,12 +81,34 @@ impl<'a> CompareReport<'a> {
         Self { verdict, metric, value, threshold, comparison }
     }
 
-    /// The report for machines.
+    /// The report for machines on this pair alone.
     pub fn to_json(&self) -> String {
-        to_json("compare", self)
+        let pair = PairReport::compared(String::new(), Path::new(""), self, false);
+        FolderReport(&pair.into_iter().collect::<Vec<_>>()).to_json(true)
     }
 
-    fn verdict_line(&self) -> String {
+    /// What was compared, and what was found.
+    pub(super) fn comparison(&self) -> &Comparison {
+        self.comparison
+    }
+
+    /// What was found, for formats that list findings: the verdict if the pictures differ, then each mistake.
+    pub(crate) fn examined(&self, name: String, mine: &Path) -> Examined {
+        let differs = self.verdict == Verdict::Differs;
+        let level = if differs { Level::Error } else { Level::Note };
+        let reported = |kind, sentence| ReportedFinding { level, ..ReportedFinding::error(kind, sentence, mine) };
+        let verdict = differs.then(|| reported("differs", self.verdict_line()));
+        let findings = self.comparison.findings.iter().map(|finding| reported(finding.kind, finding.sentence.clone()));
+        let name_of_verdict = match self.verdict {
+            Verdict::Identical => "identical",
+            Verdict::Matches => "matches",
+            Verdict::Differs => "differs",
+        };
+        Examined { name, verdict: name_of_verdict, findings: verdict.into_iter().chain(findings).collect() }
+    }
+
+    /// The verdict, and what it goes by.
+    pub fn verdict_line(&self) -> String {
         let Self { verdict, metric, value, threshold, .. } = *self;
         let name = name_of(metric).to_uppercase();
         let bound = match metric {

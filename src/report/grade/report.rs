@@ -2,9 +2,11 @@
 //! student's code.
 
 use std::fmt;
+use std::path::Path;
 
 use serde::ser::{Serialize, SerializeStruct, Serializer};
 
+use super::super::formats::{Examined, ReportedFinding};
 use super::super::json::to_json;
 use super::sentences::{
     DIVISION, cause, describe, faces, other_explanation, other_up, out_of_range, preset, repair, undecided,
@@ -85,8 +87,35 @@ impl GradeReport<'_> {
         to_json("grade", self)
     }
 
+    /// What was found, for formats that list findings: the verdict, the camera, and each case that needs repair. `shots` is the
+    /// folder of the shots.
+    pub(crate) fn examined(&self, shots: &Path) -> Examined {
+        let verdict = self.grade.verdict();
+        let reported = |kind, sentence| ReportedFinding::error(kind, sentence, shots);
+        let name_of_verdict = match verdict {
+            GradeVerdict::Right => "right",
+            GradeVerdict::Lookup => "lookup",
+            GradeVerdict::Camera => "camera",
+            GradeVerdict::CameraAndLookup => "camera_and_lookup",
+            GradeVerdict::OutOfRange => "out_of_range",
+            GradeVerdict::Undecided => "undecided",
+        };
+        let mut findings = Vec::new();
+        if !matches!(verdict, GradeVerdict::Right | GradeVerdict::Undecided) {
+            findings.push(reported(name_of_verdict, self.verdict()));
+            findings.extend(self.camera().into_iter().map(|sentence| reported("camera", sentence)));
+            if self.grade.undivided {
+                findings.push(reported("division", DIVISION.to_owned()));
+            }
+            findings.extend(
+                self.grade.faces.iter().filter(|face| face.is_wrong()).map(|face| reported("case", repair(face))),
+            );
+        }
+        Examined { name: shots.display().to_string(), verdict: name_of_verdict, findings }
+    }
+
     /// The verdict as a sentence.
-    fn verdict(&self) -> String {
+    pub fn verdict(&self) -> String {
         let wrong = self.grade.faces.iter().filter(|face| face.is_wrong()).count();
         let cases = format!("{} {}", faces(wrong), if wrong == 1 { "needs" } else { "need" });
         let others = if wrong == 0 { String::new() } else { format!(", and {cases} repair") };

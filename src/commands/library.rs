@@ -1,0 +1,98 @@
+//! Folders of maps: which maps an argument stands for, and a command that runs on each of them.
+
+use std::path::{Path, PathBuf};
+
+use super::terminal::{Outcome, remark, tell};
+use crate::envmap::source::{Skybox, is_meant_as_map, is_passed_over, sets_in};
+use crate::error::{Error, Result};
+
+/// The maps that an argument stands for: those inside a folder of maps, else the argument itself.
+pub fn maps_at(path: &Path) -> Vec<PathBuf> {
+    let sets = sets_in(path);
+    if !sets.is_empty() {
+        return sets;
+    }
+    let inside = if is_map(path) { Vec::new() } else { maps_inside(path) };
+    if inside.is_empty() { vec![path.to_owned()] } else { inside }
+}
+
+/// True if the path is a map, or a folder that is meant as one: what lies deeper does not stand for it.
+fn is_map(path: &Path) -> bool {
+    Skybox::open_lenient(path).is_ok() || is_meant_as_map(path)
+}
+
+/// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one, and an archive
+/// that cannot be read, is listed too: its line says what is wrong. A link to a folder is followed only if that is a map.
+fn maps_inside(folder: &Path) -> Vec<PathBuf> {
+    let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
+    let mut paths: Vec<PathBuf> = entries.flatten().map(|entry| entry.path()).collect();
+    paths.sort();
+    let mut maps = Vec::new();
+    for path in paths {
+        let archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
+        let is_face = |name: &std::ffi::OsStr| !is_passed_over(&name.to_string_lossy());
+        if path.is_file() && !archive && !path.file_name().is_some_and(is_face) {
+            continue;
+        }
+        let sets = sets_in(&path);
+        if !sets.is_empty() {
+            maps.extend(sets);
+        } else if archive || is_map(&path) {
+            maps.push(path);
+        } else if path.is_dir() && !path.is_symlink() {
+            maps.extend(maps_at(&path));
+        }
+    }
+    maps
+}
+
+/// Runs a command on a map or on every map of a folder, each with its own place in the output folder. A map that fails does
+/// not stop the others.
+pub fn for_each_map(
+    path: &Path,
+    output: Option<&Path>,
+    run: impl Fn(&Path, Option<&Path>) -> Result<Outcome>,
+) -> Result<Outcome> {
+    let maps = maps_at(path);
+    if maps == [path] || Skybox::open_lenient(path).is_ok() {
+        return run(path, output);
+    }
+    if let Some(output) = output {
+        refuse_inside(path, output)?;
+    }
+    let (mut faults, mut failed) = (false, 0);
+    for map in &maps {
+        tell(format_args!("{}:\n", map.display()));
+        let place = output.map(|output| output.join(place_of(path, map)));
+        match run(map, place.as_deref()) {
+            Ok(Outcome::Clean) => {}
+            Ok(Outcome::Faults) => faults = true,
+            Ok(Outcome::Interrupted) => return Ok(Outcome::Interrupted),
+            Err(error) => {
+                remark(format_args!("error: {error}\n"));
+                failed += 1;
+            }
+        }
+    }
+    match failed {
+        0 => Ok(if faults { Outcome::Faults } else { Outcome::Clean }),
+        _ => Err(Error::new(format!("{failed} of {} maps failed", maps.len()))),
+    }
+}
+
+/// The path of a map inside its library, without the extension of an archive or picture.
+pub fn place_of(library: &Path, map: &Path) -> PathBuf {
+    let inside = map.strip_prefix(library).unwrap_or(map);
+    if map.is_file() { inside.with_extension("") } else { inside.to_path_buf() }
+}
+
+/// An error if the output would lie among the maps, where the next run would take it for one.
+fn refuse_inside(library: &Path, output: &Path) -> Result<()> {
+    let absolute = |path: &Path| path.canonicalize().or_else(|_| std::path::absolute(path)).unwrap_or_default();
+    if absolute(output).starts_with(absolute(library)) {
+        return Err(Error::new("this folder lies inside the folder of maps")
+            .in_file(output)
+            .help("name another one with -o"));
+    }
+    Ok(())
+}
