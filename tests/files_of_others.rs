@@ -11,12 +11,7 @@ use skycube::math::Vec3;
 
 /// A folder beside the repository; where it is missing, says that the test is skipped.
 fn shared(name: &str) -> Option<PathBuf> {
-    let path = project("../shared").join(name);
-    if path.is_dir() {
-        return Some(path);
-    }
-    println!("skipped: {} is missing", path.display());
-    None
+    common::present(&project("../shared"), name)
 }
 
 /// Four units by four, seen from above, one pixel a tenth; what is drawn is black before white.

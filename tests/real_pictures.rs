@@ -1,10 +1,12 @@
-//! Real downloads, where they are at hand.
+//! Pictures as others publish them: the project's own always, real downloads where they are at hand.
 
 mod common;
 
 use std::path::Path;
 
-use skycube::picture::{EnvironmentLayout, Format, Header, Texels, exr_environment, read, read_header};
+use skycube::picture::{
+    self, EnvironmentLayout, Format, Header, Texels, WriteOptions, exr_environment, read, read_header,
+};
 
 /// Reads a picture and checks that its header alone says the same.
 fn check(path: &Path, expected: Header) {
@@ -23,6 +25,19 @@ fn header(width: usize, height: usize, format: Format, bit_depth: u8) -> Header 
 }
 
 #[test]
+fn the_projects_own_pictures_are_read() {
+    check(&common::project("envmaps/courtyard/posx.jpg"), header(1024, 1024, Format::Jpeg, 8));
+    let hall = common::project("envmaps/hall/posx.png");
+    check(&hall, header(128, 128, Format::Png, 8));
+    let folder = tempfile::tempdir().unwrap();
+    for (name, format, bit_depth) in [("hall.hdr", Format::Hdr, 8), ("hall.exr", Format::Exr, 32)] {
+        let path = folder.path().join(name);
+        picture::write(&read(&hall).unwrap().to_raster(), &path, &WriteOptions::default()).unwrap();
+        check(&path, header(128, 128, format, bit_depth));
+    }
+}
+
+#[test]
 fn skybox_faces_are_read() {
     let Some(folder) = common::shared_map("meadow") else { return };
     for name in ["posx", "negx", "posy", "negy", "posz", "negz"] {
@@ -37,6 +52,7 @@ fn layouts_are_read() {
     check(&folder.join("ryfjallet-strip.png"), header(256, 1536, Format::Png, 8));
 }
 
+/// Files with and without the attribute are made in the tests of the package `skycube-tracer`.
 #[test]
 fn openexr_maps_say_how_they_wrap() {
     let Some(folder) = common::shared_map("openexr") else { return };

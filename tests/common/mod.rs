@@ -1,8 +1,11 @@
 //! What the integration tests and benchmarks share.
 #![allow(dead_code)] // Every test uses a part of it.
 
+use std::collections::BTreeSet;
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::Mutex;
 
 use serde_json::Value;
 
@@ -40,15 +43,19 @@ pub fn thorough() -> bool {
 
 /// A file or folder among the real environment maps, which are not part of this repository. They are looked for in the
 /// folder that `SKYCUBE_SHARED_MAPS` names, or in `../shared/envmaps` beside the repository. Where it is missing, says
-/// that the test is skipped and gives `None`.
+/// that the test skips it and gives `None`: a map of the project then has the same kind of fault.
 pub fn shared_map(name: &str) -> Option<PathBuf> {
-    let folder = std::env::var_os("SKYCUBE_SHARED_MAPS")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join("../shared/envmaps"), PathBuf::from);
+    let folder = std::env::var_os("SKYCUBE_SHARED_MAPS").map_or_else(|| project("../shared/envmaps"), PathBuf::from);
+    present(&folder, name)
+}
+
+/// The path in a folder that is not part of this repository; `None`, and a line that says so, where it is missing.
+pub fn present(folder: &Path, name: &str) -> Option<PathBuf> {
     let path = folder.join(name);
     if path.exists() {
         return Some(path);
     }
-    println!("skipped: {} is missing", path.display());
+    say_skipped(if folder.exists() { &path } else { folder });
     None
 }
 
@@ -132,5 +139,15 @@ fn is_of_type(value: &Value, name: &str) -> bool {
         "integer" => value.is_i64() || value.is_u64(),
         "null" => value.is_null(),
         unknown => panic!("the tests do not know the type {unknown}"),
+    }
+}
+
+/// Says once for each test what it skips: to the terminal itself, since `cargo test` shows nothing that a passing test prints.
+fn say_skipped(missing: &Path) {
+    static SAID: Mutex<BTreeSet<String>> = Mutex::new(BTreeSet::new());
+    let test = std::thread::current().name().unwrap_or("a test").to_owned();
+    let line = format!("skipped in {test}: {} is missing\n", missing.display());
+    if SAID.lock().unwrap().insert(line.clone()) {
+        std::io::stderr().write_all(line.as_bytes()).unwrap();
     }
 }

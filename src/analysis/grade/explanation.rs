@@ -5,6 +5,7 @@ use serde::ser::{Serialize, SerializeStruct, Serializer};
 
 use super::misfit::Misfit;
 use super::placement::{CameraFault, Placement, ShotFrame, on_screen};
+use super::thresholds::decisive::{LEFT_WRONG, SET_RIGHT};
 use crate::envmap::{Face, Lookup, Orientation};
 
 /// What one shot may show: placements that the pixels cannot tell apart, relative to the lookup's row of its own face.
@@ -119,11 +120,12 @@ impl Evidence<'_> {
         FaceGrade { face, shot: frame.face, possible, misfit: reading.misfit, expected }
     }
 
-    /// The camera that is blamed: one that leaves at most one face wrong, and at least three fewer than a right camera.
+    /// The camera that is blamed: one that leaves at most one face wrong, and at least three fewer than a right camera
+    /// ([`LEFT_WRONG`], [`SET_RIGHT`]).
     pub fn camera(&self) -> CameraFault {
         let wrong_faces = wrong(&self.under(CameraFault::NONE));
         match self.best_camera() {
-            Some((camera, left)) if left <= 1 && wrong_faces >= left + 3 => camera,
+            Some((camera, left)) if left <= LEFT_WRONG && wrong_faces >= left + SET_RIGHT => camera,
             _ => CameraFault::NONE,
         }
     }

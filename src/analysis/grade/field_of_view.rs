@@ -24,8 +24,8 @@ const FINE: usize = 64;
 const STEPS: i32 = 53;
 const STEP: f64 = 0.025;
 /// Steps of the fine search each way, and the logarithm of one.
-const FINE_STEPS: i32 = 24;
-const FINE_STEP: f64 = 0.004;
+pub(super) const FINE_STEPS: i32 = 24;
+pub(super) const FINE_STEP: f64 = 0.004;
 
 /// What is matched: shots and images as codes, and how each shot's face stands on the screen.
 pub(super) struct Views<'a> {
@@ -94,7 +94,7 @@ impl Views<'_> {
     }
 
     /// The shots that show an image at a scale, and which.
-    fn placements(&self, scale: f64) -> Vec<(usize, Placement)> {
+    pub fn placements(&self, scale: f64) -> Vec<(usize, Placement)> {
         let images = self.levels(scale, COARSE);
         let placement = |index: usize| {
             let shot = self.shot(index, scale, COARSE);
@@ -106,7 +106,7 @@ impl Views<'_> {
         (0..6).filter_map(placement).collect()
     }
 
-    fn misfit_of(&self, placements: &[(usize, Placement)], scale: f64) -> f64 {
+    pub fn misfit_of(&self, placements: &[(usize, Placement)], scale: f64) -> f64 {
         let (of_image, _) = middles(scale);
         let share = |&(index, placement): &(usize, Placement)| {
             let shot = self.shot(index, scale, FINE);

@@ -1,6 +1,6 @@
 //! The appearance of a shot that shows no image of the map in any orientation.
 
-use super::thresholds::misfit::{ALL, ALL_BLACK, BLACK, PART, SAME};
+use super::thresholds::misfit::{ALL, ALL_BLACK, BLACK, LIKE_THE_FIRST, ONE_COLOUR, PART, REPEATED, SAME, VARIES};
 use super::thumbnail::{Codes, Middle};
 
 /// Cells of a side in which a shot is looked at.
@@ -58,7 +58,7 @@ fn share_of_cells(cells: &Codes, holds: impl Fn([f32; 3]) -> bool) -> f64 {
 
 fn is_of_one_colour(cells: &Codes) -> bool {
     let first = cells.at(0);
-    share_of_cells(cells, |colour| difference(colour, first) < 2.0 * SAME) > 0.999
+    share_of_cells(cells, |colour| difference(colour, first) < LIKE_THE_FIRST) > ONE_COLOUR
 }
 
 fn difference(one: [f32; 3], other: [f32; 3]) -> f32 {
@@ -80,7 +80,7 @@ fn smeared(cells: &Codes, horizontally: bool) -> f64 {
     };
     let varies = |along: usize| {
         let first = cell(cells, along, 0, horizontally);
-        (1..SIDE).any(|across| difference(first, cell(cells, along, across, horizontally)) > 4.0 * SAME)
+        (1..SIDE).any(|across| difference(first, cell(cells, along, across, horizontally)) > VARIES)
     };
     (0..SIDE - 1).filter(|&along| unchanged(along) && varies(along)).count() as f64 / (SIDE - 1) as f64
 }
@@ -93,5 +93,5 @@ fn halves_are_alike(cells: &Codes, horizontally: bool) -> bool {
         between += difference(at(along), at(along + SIDE / 2));
         within += difference(at(along), at((along + SIDE / 4) % (SIDE / 2)));
     }
-    within > 0.0 && between < 0.3 * within
+    within > 0.0 && between < REPEATED * within
 }

@@ -14,7 +14,7 @@ pub mod shown {
     pub const NEGLIGIBLE: f64 = 0.03 * 0.03;
     /// Variance of codes below which a picture is of one colour.
     pub const FLAT: f64 = 0.005 * 0.005;
-    /// Codes from here on are as bright as can be, and may be cut off.
+    /// Codes from here on are as bright as can be, and may be cut off: a definition, without a margin.
     pub const WHITE: f32 = 0.98;
     /// The part of the variance that may be left unexplained before code without the division is thought of. Measured: right
     /// shots reach 0.08 (stars), undivided ones have 0.13 or more; [`MUCH_BETTER`] protects the former.
@@ -51,8 +51,12 @@ pub mod decisive {
     pub const NEARNESS: f64 = 0.7;
     /// What codes are off by in any case: rounding, filtering, curves that are not quite met.
     pub const SURE_NOISE: f64 = 0.006;
-    /// Faces that must be decided before their lookup is called by a name.
+    /// Faces that must be decided before their lookup is called by a name: half of them, a rule rather than a measure.
     pub const TELLING_FACES: usize = 3;
+    /// When the camera is blamed for faces that are wrong, a rule of what is simpler: one camera that explains three faces
+    /// is, and it may leave one face that is wrong by itself.
+    pub const LEFT_WRONG: usize = 1;
+    pub const SET_RIGHT: usize = 3;
 }
 
 /// The words for a shot without an image: [`super::misfit`]. They choose a description and no verdict, and have no margin.
@@ -63,6 +67,14 @@ pub mod misfit {
     pub const ALL_BLACK: f64 = 0.98;
     /// Neighbouring cells that differ by less are the same.
     pub const SAME: f32 = 0.004;
+    /// Cells that differ from the first by less make one colour with it: those on either side of it may differ by [`SAME`].
+    pub const LIKE_THE_FIRST: f32 = 2.0 * SAME;
+    /// The share of cells from which on a shot is of one colour.
+    pub const ONE_COLOUR: f64 = 0.999;
+    /// A column or row varies if two of its cells differ by more.
+    pub const VARIES: f32 = 4.0 * SAME;
+    /// How much less two halves differ from each other than within themselves if one repeats the other.
+    pub const REPEATED: f32 = 0.3;
     /// A share of a shot that is worth naming.
     pub const PART: f64 = 0.2;
     /// All of it, but for rounding.

@@ -36,13 +36,14 @@ impl Codes {
     pub fn reduced(&self, Middle(share): Middle, side: usize) -> Self {
         let (columns, rows) = (spans(self.width, share, side), spans(self.height, share, side));
         let mut values = vec![0.0; 3 * side * side];
-        let mut narrowed = vec![0.0_f32; 3 * side];
+        let mut summed = vec![0.0_f32; 3 * self.width];
         for (span, cells) in rows.iter().zip(values.chunks_exact_mut(3 * side)) {
-            for (offset, &weight) in span.weights.iter().enumerate() {
-                let start = 3 * self.width * (span.first + offset);
-                narrow(&self.values[start..start + 3 * self.width], &columns, &mut narrowed);
-                cells.iter_mut().zip(&narrowed).for_each(|(cell, value)| *cell += weight * value);
+            // First all rows into one, value by value, which compilers make fast; then that one into cells.
+            summed.fill(0.0);
+            for (row, &weight) in self.values.chunks_exact(3 * self.width).skip(span.first).zip(&span.weights) {
+                summed.iter_mut().zip(row).for_each(|(sum, value)| *sum += weight * value);
             }
+            narrow(&summed, &columns, cells);
         }
         Self { width: side, height: side, values }
     }

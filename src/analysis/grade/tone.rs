@@ -20,7 +20,7 @@ pub(super) struct Levels {
 impl Levels {
     pub fn new(values: &[f32]) -> Self {
         let mut sorted = values.to_vec();
-        sorted.sort_by(f32::total_cmp);
+        sorted.sort_unstable_by(f32::total_cmp);
         let mut edges: Vec<f32> = (1..BINS).map(|bin| sorted[bin * sorted.len() / BINS]).collect();
         edges.dedup();
         let bins: Vec<u8> = values.iter().map(|&value| edges.partition_point(|&edge| edge <= value) as u8).collect();

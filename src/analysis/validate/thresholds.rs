@@ -15,7 +15,8 @@ pub mod evidence {
     /// Nearly nothing is left of the cost: fewer standard errors will do, as where only a few lines cross the borders.
     pub const FEW_STANDARD_ERRORS: f64 = 2.5;
     pub const NEARLY_ALL: f64 = 0.5;
-    /// A difference of a unit that rounding and noise do not make: a factor of e in likelihood.
+    /// A difference of a unit that rounding and noise do not make: a factor of e in likelihood. A definition, without a margin:
+    /// [`STRONG_GAIN`], [`STRONG_COUNT`] and [`STRONG_LOSS`] decide.
     pub const STRONG: f64 = 1.0;
     /// In a plain sky only a few coarse coefficients tell one orientation from another: those that differ strongly must
     /// agree. Least logarithm of the likelihood, least count, and largest part of losses. Measured: decided turned faces have
@@ -38,6 +39,19 @@ pub mod evidence {
     /// faces that were stored at JPEG quality 40 or blurred, and not decided, have 1.7 or more.
     pub const NOTICEABLE: f64 = 1.5;
     pub const NOTICEABLE_IMPROVEMENT: f64 = 0.05;
+}
+
+/// The least change from row to row, squared, that a border is credited with: [`super::borders::pair_cost`]. Estimates of what
+/// files do to a border, in codes; they separate nothing and have no margin.
+pub mod noise {
+    /// Resampling, at all scales.
+    pub const RESAMPLED: f32 = 0.1 * 0.1;
+    /// Rounding of a texel to whole codes.
+    pub const ROUNDED: f32 = 0.5 * 0.5;
+    /// Rounding of the mean of a JPEG block of eight texels.
+    pub const BLOCK_ROUNDED: f32 = 0.4 * 0.4;
+    /// Files of more than 8 bits round a tenth as much or less: the square of that.
+    pub const FINER_FILES: f32 = 0.01;
 }
 
 /// Faces that do not belong: [`super::outlier`].
@@ -98,16 +112,18 @@ pub mod copies {
 pub mod seam {
     /// The fit of a seam from which on its borders go as well with most others. Measured: those of right maps reach 0.70.
     pub const UNDECIDED: f64 = 0.85;
-    /// Words for single seams, which decide no verdict: a seam is broken if it costs more than this times what its sides cost in the arrangement found, and so much more.
+    /// Words for single seams, which decide no verdict and have no margin: a seam is broken if it costs more than this times what
+    /// its sides cost in the arrangement found, and so much more.
     pub const BROKEN_FACTOR: f64 = 1.3;
     pub const BROKEN_COST: f64 = 4.0;
-    /// Detail below half a code is that of rounding.
+    /// Detail below half a code is that of rounding: a definition, without a margin.
     pub const LEAST_DETAIL: f64 = 0.5;
-    /// The cost of rounding errors alone, which counts on both sides of a fit.
+    /// The cost of rounding errors alone, which counts on both sides of a fit: it separates nothing.
     pub const NOTHING: f64 = 2.0;
     /// The score above which a seam is called rough although the geometry fits. No margin: right maps reach 7.1.
     pub const ROUGH: f64 = 3.0;
-    /// Codes by which all neighbours of a face must differ in one direction before it is called exposed otherwise.
+    /// Codes by which all neighbours of a face must differ in one direction before a note calls it exposed otherwise. It decides no
+    /// verdict and has no margin: the note says how many codes it is.
     pub const EXPOSED: f64 = 2.0;
 }
 
@@ -151,6 +167,8 @@ pub mod story {
     /// The faults that an order leaves at most: with more of them it explains nothing.
     pub const MOST_FAULTS: usize = 2;
 
+    /// Names, of six, that must be an order's before they announce it: those of the four sides, by which the orders differ.
+    pub const ANNOUNCING_NAMES: usize = 4;
     /// Assuming an order that the names or the format of the files announce.
     pub const ANNOUNCED: u32 = 5;
     /// Assuming a usual order of numbers or cells, which have no names: less than to tell the same file by file.
@@ -167,14 +185,15 @@ pub mod story {
 
 /// Where the sky seems to be: [`super::sky`]. A hint that only chooses between equally short stories.
 pub mod sky {
-    /// Codes of brightness that count as much as a factor of e in detail.
+    /// Codes of brightness that count as much as a factor of e in detail. A weight, without a margin.
     pub const CODES: f64 = 64.0;
     /// A hint for a note, without a margin: how far the sky must differ from the face opposite before it is named, and how many times further than the next pair.
     pub const CONTRAST: f64 = 1.0;
     pub const CONTRAST_RATIO: f64 = 1.5;
 }
 
-/// The evidence of patterns along two borders: [`super::borders::agreement`].
+/// The evidence of patterns along two borders: [`super::borders::agreement`]. These follow from statistics, separate nothing by
+/// themselves and have no margin: [`evidence::SOME_AGREEMENT`] decides.
 pub mod agreement {
     /// The most that a single seam can tell: one alone decides nothing.
     pub const MOST: f32 = 8.0;
@@ -189,9 +208,10 @@ pub mod agreement {
 
 /// A frame around a picture: [`super::borders::border`].
 pub mod frame {
-    /// Codes by which a texel of a frame of one colour may differ from its corner.
+    /// Codes by which a texel of a frame of one colour may differ from its corner. A definition of one colour, without a margin:
+    /// borders of plain skies have it, too, and [`PLAIN`] tells them from frames.
     pub const SAME_COLOUR: f32 = 12.0;
-    /// The share of a side's texels that must agree.
+    /// The share of a side's texels that must agree, that is nearly all of them.
     pub const MOST_TEXELS: f64 = 0.9;
     /// How many times further the outermost row steps than the next one, and how many codes more: for a frame of one colour,
     /// and for one that is only darker. Measured: pictures without a frame step 1.3 times as far (4 for a dark frame).

@@ -6,6 +6,7 @@
 //! exposure, then counts as one outlier and not as a thousand. `s^2` is the product of the two sides' own changes, so
 //! that the sums of all arrangements are comparable: every side is used once.
 
+use super::super::thresholds::noise::{BLOCK_ROUNDED, FINER_FILES, RESAMPLED, ROUNDED};
 use super::agreement::Correlation;
 use super::border::ImageBorders;
 use super::display::Display;
@@ -130,11 +131,11 @@ struct Floors(Vec<f32>);
 
 impl Floors {
     fn new(length: usize, texels: usize, display: Display) -> Self {
-        let factor = if display == Display::EightBit { 1.0 } else { 0.01 };
+        let factor = if display == Display::EightBit { 1.0 } else { FINER_FILES };
         let bands = band_of(length - 1) + 1;
         let floor = |band: usize| {
             let covered = texels as f32 / (1 << band.saturating_sub(1)) as f32;
-            factor * (0.1 * 0.1 + 0.5 * 0.5 / covered + 0.4 * 0.4 / (covered / 8.0).max(1.0))
+            factor * (RESAMPLED + ROUNDED / covered + BLOCK_ROUNDED / (covered / 8.0).max(1.0))
         };
         Self((0..bands).map(floor).collect())
     }

@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use super::super::thresholds::story::{ANNOUNCED, LIKE_AN_EXCHANGE, MIRRORED, NUMBERED, OTHER_TABLE, SIDEWAYS};
+use super::super::thresholds::story::{
+    ANNOUNCED, ANNOUNCING_NAMES, LIKE_AN_EXCHANGE, MIRRORED, NUMBERED, OTHER_TABLE, SIDEWAYS,
+};
 use super::arrangement::Arrangement;
 use super::symmetry::orientation_between;
 use crate::envmap::{Face, Lookup, Preset, SignedAxis};
@@ -188,8 +190,8 @@ impl Hints {
             |stem: &str| WORDS.iter().any(|word| stem.contains(word)) || SHORT.iter().any(|word| stem.ends_with(word));
         let unity = |stem: &str| WORDS.iter().any(|word| stem.contains(word));
         Self {
-            quake_names: count(&quake) >= 4,
-            unity_names: count(&unity) >= 4,
+            quake_names: count(&quake) >= ANNOUNCING_NAMES,
+            unity_names: count(&unity) >= ANNOUNCING_NAMES,
             openexr_cube: names.iter().all(|name| name.contains(".exr [")),
             free_names,
         }

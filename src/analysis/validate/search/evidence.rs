@@ -17,7 +17,8 @@ impl Comparison {
             || errors >= FEW_STANDARD_ERRORS && improvement >= NEARLY_ALL
     }
 
-    fn is_decisive_by_patterns(&self) -> bool {
+    /// True if neither costs nor patterns decide alone, but both point the same way.
+    pub fn is_decisive_by_patterns(&self) -> bool {
         let errors = self.standard_errors();
         errors >= SOME_STANDARD_ERRORS
             && self.improvement() >= SOME_IMPROVEMENT

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::super::borders::border::{Borders, mean_step, read_borders};
-use super::super::borders::edge::{EdgeBorders, Side};
+use super::super::borders::edge::{Edge, EdgeBorders, Side};
 use super::super::borders::pair_cost::PairCosts;
 use super::super::copies::Copies;
 use super::super::outlier::{self, Judged};
@@ -20,7 +20,7 @@ use crate::envmap::source::Skybox;
 use crate::envmap::{CubeMap, Face, Lookup, Preset};
 use crate::validate::load;
 
-/// A map, in the arrangement in which it is right.
+/// A map, and the arrangement in which it is known to be right.
 struct Subject {
     name: String,
     map: CubeMap,
@@ -45,10 +45,21 @@ fn subjects() -> Vec<Subject> {
         let map = load(&Skybox::open(&path).ok()?, Preset::Opengl.lookup()).ok()?;
         let borders = read_borders(&map).ok()?;
         let problem = problem(&borders, map.lookup());
-        let right = cheapest(&problem, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
-        Some(Subject { name: path.file_name()?.to_string_lossy().into_owned(), map, borders, problem, right })
+        let name = path.file_name()?.to_string_lossy().into_owned();
+        Some(Subject { right: known(&name), name, map, borders, problem })
     };
     paths.into_iter().filter_map(subject).collect()
+}
+
+/// How a map must be arranged to be right, as those say who made it.
+fn known(name: &str) -> Arrangement {
+    use Face::{NegX, NegY, NegZ, PosX, PosY, PosZ};
+    match name {
+        "city-upside-down" => Arrangement { images: Face::ALL, orientations: [2; 6] },
+        "clouds-dusk" | "miramar-quake" => Arrangement::given([PosZ, NegZ, PosY, NegY, PosX, NegX]),
+        name if name.ends_with(".exr") => Arrangement::given([PosX, NegX, PosY, NegY, NegZ, PosZ]),
+        _ => Arrangement::given(Face::ALL),
+    }
 }
 
 fn problem(borders: &Borders, lookup: &Lookup) -> Problem {
@@ -70,7 +81,7 @@ impl Table {
 
     /// The line of a threshold that a fault exceeds (or, if `below`, falls short of): the nearest values on both sides.
     fn print(&self, name: &str, threshold: f64, below: bool) {
-        let [right, faulty] = &self.0[name];
+        let [right, faulty] = &self.0.get(name).cloned().unwrap_or_default();
         let by_value = |a: &&(f64, String), b: &&(f64, String)| a.0.total_cmp(&b.0);
         let least = |values: &[(f64, String)]| values.iter().min_by(by_value).cloned();
         let most = |values: &[(f64, String)]| values.iter().max_by(by_value).cloned();
@@ -101,12 +112,26 @@ fn compared(table: &mut Table, subject: &Subject) {
         add("IMPROVEMENT", comparison.improvement());
         add("TOGETHER", comparison.likelihood());
         add("NOTICEABLE", comparison.likelihood());
+        add("NOTICEABLE_IMPROVEMENT", comparison.improvement());
+        if comparison.improvement() >= evidence::NEARLY_ALL {
+            add("FEW_STANDARD_ERRORS", comparison.standard_errors());
+        }
+        if comparison.standard_errors() >= evidence::FEW_STANDARD_ERRORS {
+            add("NEARLY_ALL", comparison.improvement());
+        }
+        if is_right || comparison.is_decisive_by_patterns() {
+            add("SOME_AGREEMENT", comparison.agreement);
+            add("SOME_STANDARD_ERRORS", comparison.standard_errors());
+            add("SOME_IMPROVEMENT", comparison.improvement());
+        }
         let (gain, count, loss) = comparison.strong();
         add("STRONG_GAIN", gain);
         add("STRONG_COUNT", count as f64);
         add("STRONG_LOSS", loss);
     };
-    for changed in turned(right) {
+    // What the search prefers to the right one, if it does.
+    let found = cheapest(problem, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
+    for changed in turned(right).chain([found]) {
         // The right one may lose to another only by chance; a decided one must win clearly.
         let (lost, won) = (problem.compare(&changed, right), problem.compare(right, &changed));
         if lost.standard_errors() > 0.0 {
@@ -123,13 +148,16 @@ fn judged(table: &mut Table, subject: &Subject, other: &Subject) {
     let replaced = |image: Face, change: &dyn Fn(&mut Borders)| {
         let mut changed = borders.clone();
         change(&mut changed);
-        outlier::judge(&problem(&changed, map.lookup()), &changed, right, right.face_of(image).unwrap_or(image))
+        let (problem, face) = (problem(&changed, map.lookup()), right.face_of(image).unwrap_or(image));
+        let seams = (0..12).filter(|&edge| Edge::ALL[edge].touches(face));
+        let least = seams.map(|edge| problem.fit(right, edge)).fold(f64::INFINITY, f64::min);
+        (outlier::judge(&problem, &changed, right, face), least)
     };
     let ratio = |judged: &Judged| judged.step / judged.others_step.max(0.1);
     for image in Face::ALL.into_iter().filter(|&image| !borders[image.index()].is_flat()) {
         let face = right.face_of(image).unwrap_or(image);
         let here = outlier::judge(own, borders, right, face);
-        let foreign = replaced(image, &|all| all[image.index()] = other.borders[image.index()].clone());
+        let (foreign, least) = replaced(image, &|all| all[image.index()] = other.borders[image.index()].clone());
         let colour = |all: &mut Borders, grey: bool| {
             let all = &mut all[image.index()];
             let mean = {
@@ -144,12 +172,13 @@ fn judged(table: &mut Table, subject: &Subject, other: &Subject) {
                 *texel = if grey { [texel.iter().sum::<f32>() / 3.0; 3] } else { mean };
             }
         };
-        let flat = replaced(image, &|all| colour(all, false));
-        let grey = replaced(image, &|all| colour(all, true));
-        for threshold in ["OUTLIER", "OUTLIER_GLARING", "OUTLIER_FLAT"] {
+        let (flat, _) = replaced(image, &|all| colour(all, false));
+        let (grey, _) = replaced(image, &|all| colour(all, true));
+        for threshold in ["OUTLIER", "OUTLIER_GLARING", "OUTLIER_FLAT", "OUTLIER_COPY"] {
             table.right(threshold, here.fit, name);
         }
         table.right("OUTLIER_GLARING", grey.fit, &format!("{name}, grey"));
+        table.faulty("UNDECIDED", least, name);
         table.faulty("OUTLIER", foreign.fit, name);
         table.faulty("OUTLIER_GLARING", foreign.fit, name);
         table.faulty("OUTLIER_FLAT", flat.fit, name);
@@ -169,16 +198,24 @@ fn judged(table: &mut Table, subject: &Subject, other: &Subject) {
 
 /// Images that show the same, and images that do not.
 fn copied(table: &mut Table, subject: &Subject) {
-    let Subject { name, map, borders, right, .. } = subject;
+    let Subject { name, map, borders, right, problem: own } = subject;
     for face in Face::ALL {
         let opposite = (-face.signed_axis()).face();
         let [image, original] = [face, opposite].map(|face| right.images[face.index()].index());
         let mut changed = borders.clone();
         changed[image] = borders[original].clone();
-        let (gaping, closing) = outlier::copy_steps(&problem(&changed, map.lookup()), &changed, right, face, opposite);
-        if !borders[original].is_flat() && gaping >= outliers::COPY_STEP {
-            table.faulty("COPY_RATIO", gaping / closing.max(0.1), name);
+        let with_copy = problem(&changed, map.lookup());
+        let (gaping, closing) = outlier::copy_steps(&with_copy, &changed, right, face, opposite);
+        if !borders[original].is_flat() {
+            table.faulty("COPY_STEP", gaping, name);
+            if gaping >= outliers::COPY_STEP {
+                table.faulty("COPY_RATIO", gaping / closing.max(0.1), name);
+                table.faulty("OUTLIER_COPY", outlier::judge(&with_copy, &changed, right, face).fit, name);
+            }
         }
+        let (gaping, closing) = outlier::copy_steps(own, borders, right, face, opposite);
+        table.right("COPY_STEP", gaping, name);
+        table.right("COPY_RATIO", gaping / closing.max(0.1), name);
     }
     let details = Copies::details(map, borders).expect("the map was read");
     for (one, other) in (0..6).flat_map(|one| (one + 1..6).map(move |other| (one, other))) {
@@ -200,6 +237,10 @@ fn seams(table: &mut Table, subject: &Subject) {
     let open = fits(right).iter().filter(|&&fit| fit > seam::UNDECIDED).count();
     table.right("UNDECIDABLE_SEAMS", open as f64, name);
     table.right("UNRELATED", problem.mean_fit(right), name);
+    if !turned(right).any(|changed| problem.compare(right, &changed).is_decisive()) {
+        let rough = (0..12).filter(|&edge| measure(problem, borders, right, edge).score > seam::ROUGH);
+        table.right("ROUGH_SEAMS", rough.count() as f64, name);
+    }
     for edge in 0..12 {
         table.right("UNDECIDED", problem.fit(right, edge), name);
         table.right("ROUGH", measure(problem, borders, right, edge).score, name);
@@ -219,6 +260,7 @@ fn seams(table: &mut Table, subject: &Subject) {
             table.right("TORN_STEP", step(right), name);
             table.faulty("TORN_STEP", step(&exchanged), name);
             table.faulty("REPAIRED", step(right) / step(&exchanged), name);
+            table.right("REPAIRED", step(&exchanged) / step(right), name);
         }
     }
 }
@@ -227,11 +269,20 @@ fn seams(table: &mut Table, subject: &Subject) {
 fn frames(table: &mut Table, subject: &Subject) {
     let Subject { name, borders, .. } = subject;
     for image in borders.iter().filter(|image| !image.framed) {
-        let steps = image.sides.iter().map(|side| {
-            let [first, second, third, _] = &side.outer;
-            mean_step(first, second) / (mean_step(second, third) + frame::DARKER.1 / frame::DARKER.0)
-        });
-        table.right("DARKER", steps.fold(f64::INFINITY, f64::min), name);
+        // How abruptly the outermost rows step after a change, at the side where they do so least.
+        let abruptness = |(factor, codes): (f64, f64), change: fn(&mut [f32; 3])| {
+            let steps = image.sides.iter().map(|side| {
+                let [first, second, third, _] = &side.outer;
+                let mut first = first.clone();
+                first.iter_mut().for_each(change);
+                mean_step(&first, second) / (mean_step(second, third) + codes / factor)
+            });
+            steps.fold(f64::INFINITY, f64::min)
+        };
+        table.right("PLAIN", abruptness(frame::PLAIN, |_| ()), name);
+        table.faulty("PLAIN", abruptness(frame::PLAIN, |texel| *texel = [0.0; 3]), name);
+        table.right("DARKER", abruptness(frame::DARKER, |_| ()), name);
+        table.faulty("DARKER", abruptness(frame::DARKER, |texel| *texel = texel.map(|code| 0.25 * code)), name);
     }
 }
 
@@ -254,6 +305,8 @@ fn margins() {
         let mixed = problem(&unrelated, subject.map.lookup());
         let best = cheapest(&mixed, &Arrangement::given(Face::ALL), Freedom::ANY_ORDER);
         table.faulty("UNRELATED", mixed.mean_fit(&best), &subject.name);
+        let open = (0..12).filter(|&edge| mixed.fit(&best, edge) > seam::UNDECIDED).count();
+        table.faulty("UNDECIDABLE_SEAMS", open as f64, &subject.name);
         let others_fit = |face| outlier::judge(&mixed, &unrelated, &best, face).others_fit;
         table.faulty("FAMILIAR", Face::ALL.map(others_fit).into_iter().fold(f64::INFINITY, f64::min), &subject.name);
     }
@@ -262,25 +315,35 @@ fn margins() {
     for (name, value) in [
         ("STANDARD_ERRORS", evidence::STANDARD_ERRORS),
         ("IMPROVEMENT", evidence::IMPROVEMENT),
+        ("FEW_STANDARD_ERRORS", evidence::FEW_STANDARD_ERRORS),
+        ("NEARLY_ALL", evidence::NEARLY_ALL),
         ("STRONG_GAIN", evidence::STRONG_GAIN),
         ("STRONG_COUNT", evidence::STRONG_COUNT as f64),
         ("TOGETHER", evidence::TOGETHER),
+        ("SOME_AGREEMENT", evidence::SOME_AGREEMENT),
+        ("SOME_STANDARD_ERRORS", evidence::SOME_STANDARD_ERRORS),
+        ("SOME_IMPROVEMENT", evidence::SOME_IMPROVEMENT),
         ("NOTICEABLE", evidence::NOTICEABLE),
+        ("NOTICEABLE_IMPROVEMENT", evidence::NOTICEABLE_IMPROVEMENT),
         ("OUTLIER", outliers::OUTLIER),
         ("OUTLIER_GLARING", outliers::OUTLIER_GLARING),
         ("OUTLIER_FLAT", outliers::OUTLIER_FLAT),
+        ("OUTLIER_COPY", outliers::OUTLIER_COPY),
         ("OUTLIER_STEP", outliers::OUTLIER_STEP),
         ("STEP_RATIO", outliers::STEP_RATIO),
         ("VISIBLE", outliers::VISIBLE),
         ("ANOTHER_PATTERN", outliers::ANOTHER_PATTERN),
         ("FAMILIAR", outliers::FAMILIAR),
+        ("COPY_STEP", outliers::COPY_STEP),
         ("COPY_RATIO", outliers::COPY_RATIO),
         ("SAME_DETAIL", copies::SAME_DETAIL),
         ("UNDECIDED", seam::UNDECIDED),
         ("ROUGH", seam::ROUGH),
         ("UNRELATED", verdict::UNRELATED),
         ("UNDECIDABLE_SEAMS", verdict::UNDECIDABLE_SEAMS as f64),
+        ("ROUGH_SEAMS", verdict::ROUGH_SEAMS as f64),
         ("TORN_STEP", verdict::TORN_STEP),
+        ("PLAIN", frame::PLAIN.0),
         ("DARKER", frame::DARKER.0),
     ] {
         table.print(name, value, false);

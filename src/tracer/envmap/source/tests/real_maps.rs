@@ -1,6 +1,7 @@
 //! The project's own maps, and the real maps beside the repository, which are skipped where they are missing: all open, and
 //! the seams of those that are right close.
 
+use std::io::Write;
 use std::path::PathBuf;
 
 use super::*;
@@ -16,12 +17,15 @@ const OPENGL: [[(usize, f32); 2]; 6] = [
     [(0, -1.0), (1, -1.0)],
 ];
 
-/// A real map by its path in the folder of maps. None, with a word on it, where the maps are missing.
+/// A real map by its path in the folder of maps. Where it is missing, says so on the terminal itself, since `cargo test` shows
+/// nothing that a passing test prints, and gives `None`.
 fn real_map(name: &str) -> Option<PathBuf> {
     let beside = || PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../../../shared/envmaps");
     let path = std::env::var_os("SKYCUBE_SHARED_MAPS").map_or_else(beside, PathBuf::from).join(name);
     if !path.exists() {
-        println!("skipped: {} is not there", path.display());
+        let test = std::thread::current().name().unwrap_or("a test").to_owned();
+        let line = format!("skipped in {test}: {} is missing\n", path.display());
+        std::io::stderr().write_all(line.as_bytes()).unwrap();
         return None;
     }
     Some(path)

@@ -1,8 +1,8 @@
 //! `check` on six 2048^2 JPEGs costs at most 1.25 times what decoding them costs.
 
-mod common;
-
 use std::time::{Duration, Instant};
+
+use crate::common;
 
 use skycube::envmap::Preset;
 use skycube::envmap::source::Skybox;

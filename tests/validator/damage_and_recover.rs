@@ -1,17 +1,12 @@
 //! Right maps stay right, and damaged ones are recovered: orientations wrong face by face, on all faces, with images that
 //! changed places; as PNG and as JPEG of quality 50; small and large.
 //!
-//! `cargo test --release --test damage_and_recover -- --ignored --nocapture` prints the whole table.
+//! `cargo test --release --test validator damage_and_recover -- --ignored --nocapture` prints the whole table.
 
-mod common;
-#[path = "damage/pictures.rs"]
-mod pictures;
-#[path = "damage/recovery.rs"]
-mod recovery;
-
-use pictures::Storage;
-use recovery::{Damage, Recovery, Tally};
-use skycube::validate::{Names, Verdict};
+use super::pictures::{self, Storage};
+use super::recovery::{Damage, Outcome, Recovery, Tally};
+use skycube::envmap::Face;
+use skycube::validate::{Check, Names, Seam, Verdict};
 
 fn table_row(name: &str, kind: &str, storage: &Storage, tally: &Tally) {
     println!(
@@ -30,12 +25,8 @@ fn table_row(name: &str, kind: &str, storage: &Storage, tally: &Tally) {
 
 /// Of the orientations of a single face every third, unless the table is to be whole: all are tried on compressed maps.
 fn run(storages: &[Storage], counts: [usize; 2], whole: bool) {
-    run_on(storages, counts, whole, |name| !whole || name != "night");
-}
-
-fn run_on(storages: &[Storage], counts: [usize; 2], whole: bool, chosen: impl Fn(&str) -> bool) {
     let mut failures = 0;
-    for (name, original) in pictures::right_maps().into_iter().filter(|(name, _)| chosen(name)) {
+    for (name, original) in pictures::right_maps() {
         for storage in storages {
             let map = original.stored(storage);
             let verdict = map.check(Names::Auto).verdict;
@@ -67,12 +58,30 @@ fn small_maps_are_recovered() {
     run(&[Storage::png(64)], [2, 3], false);
 }
 
-/// What comes of one face in each wrong orientation, in a map of 64 texels at JPEG quality 50.
-fn compressed_faces(name: &str, original: &pictures::Map) -> Tally {
+/// From here on the report calls a seam rough.
+const ROUGH: f64 = 3.0;
+
+/// The mean score of the four seams of a face.
+fn roughness(seams: &[Seam], face: Face) -> f64 {
+    seams.iter().filter(|seam| seam.edge.touches(face)).map(|seam| seam.score).sum::<f64>() / 4.0
+}
+
+/// Each face in each wrong orientation, in a map of 64 texels at JPEG quality 50: what is not recovered, by the face, with the
+/// check of the damaged map.
+fn not_recovered(name: &str, original: &pictures::Map) -> Vec<(Outcome, Face, Check)> {
     let map = original.stored(&Storage::jpeg(64));
-    let tally = Recovery::of(&map, Names::Trusted).tally(&Damage::of_one_face());
-    table_row(name, "one face", &Storage::jpeg(64), &tally);
-    tally
+    let recovery = Recovery::of(&map, Names::Trusted);
+    let damages = Damage::of_one_face();
+    let outcomes = recovery.outcomes(&damages);
+    let others = damages.iter().zip(outcomes).zip(0..).filter(|((_, outcome), _)| *outcome != Outcome::Recovered);
+    others
+        .map(|((damage, outcome), number)| {
+            let (face, check) =
+                (Face::ALL[number / 7], map.damaged(&damage.images, &damage.orientations).check(Names::Trusted));
+            println!("{name}: {outcome:?}, {} in {:?}", face.name(), damage.orientations[face.index()].formulas());
+            (outcome, face, check)
+        })
+        .collect()
 }
 
 #[test]
@@ -81,34 +90,38 @@ fn compressed_maps_of_64_texels_are_recovered_face_by_face() {
     // a plain sky over a plain beach; and the open question below.
     let partly = ["clouds-dusk", "openexr/OrientationCube.exr", "night", "seaside", "city-upside-down"];
     for (name, original) in pictures::right_maps() {
-        let tally = compressed_faces(name, &original);
-        assert!(tally.wrong.is_empty(), "{name}: {:?}", tally.wrong);
-        assert!(tally.recovered == 42 || partly.contains(&name), "{name}: {}", tally.recovered);
+        for (outcome, face, check) in not_recovered(name, original) {
+            let what = format!("{name}, {}: {outcome:?}, {:?}", face.name(), check.verdict);
+            assert!(partly.contains(name), "{what}");
+            // Flipped left-right, two faces of the seaside fit noticeably but not decisively worse, though the right map decides
+            // them: there the cheapest arrangement with such a face is tried, in which others change, too.
+            assert!(outcome == Outcome::Tied || outcome == Outcome::Undecided && *name == "seaside", "{what}");
+            // What is left as it is, is unseen; or it is called undecidable, and hardly seen.
+            let [before, after] = [&check.seams, &check.fix.seams_after].map(|seams| roughness(seams, face));
+            match check.verdict {
+                Verdict::Undecidable => assert!(before < 2.0 * ROUGH, "{what}: {before}"),
+                _ => assert!(after < ROUGH && outcome == Outcome::Tied, "{what}: {after}"),
+            }
+        }
     }
 }
 
 #[test]
 #[ignore = "open question: a street flipped top-bottom is tied after strong compression, for no reason that the eye can see"]
-fn a_compressed_street_flipped_top_bottom_is_recovered() {
-    for (name, original) in pictures::right_maps().into_iter().filter(|(name, _)| *name == "city-upside-down") {
-        assert_eq!(compressed_faces(name, &original).recovered, 42);
+fn open_question_a_compressed_street_flipped_top_bottom_is_recovered() {
+    for (name, original) in pictures::right_maps().iter().filter(|(name, _)| *name == "city-upside-down") {
+        assert!(not_recovered(name, original).is_empty());
     }
 }
 
 #[test]
 #[ignore = "whole table: minutes"]
-fn the_whole_table() {
+fn png_and_jpeg_whole_table() {
     run(&[Storage::png(64), Storage::jpeg(64)], [30, 20], true);
 }
 
 #[test]
-#[ignore = "open question: single stars over a black ground, all six turned or flipped, come back in another arrangement"]
-fn the_whole_table_of_the_night() {
-    run_on(&[Storage::png(64), Storage::jpeg(64)], [30, 20], true, |name| name == "night");
-}
-
-#[test]
 #[ignore = "whole table: many minutes at full size"]
-fn the_whole_table_of_large_maps() {
+fn large_maps_whole_table() {
     run(&[Storage::png(2048), Storage::jpeg(2048)], [4, 3], true);
 }

@@ -1,5 +1,4 @@
 //! Maps computed from the direction: skies with hardly anything in them.
-#![allow(dead_code)] // Every test uses a part of it.
 
 use skycube::envmap::{Face, FacePoint, Preset};
 use skycube::math::Vec3;

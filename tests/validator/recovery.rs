@@ -1,6 +1,6 @@
 //! Damage done to a right map, and how it came back.
-#![allow(dead_code)] // Every test uses a part of it.
 
+use rayon::prelude::*;
 use skycube::envmap::{Face, Orientation};
 use skycube::stress::Random;
 use skycube::validate::{Check, FaceFix, Names};
@@ -91,10 +91,14 @@ impl<'a> Recovery<'a> {
         Self { map, names, decided: map.check(names).fix.faces.map(|fix| fix.decided) }
     }
 
+    pub fn outcomes(&self, damages: &[Damage]) -> Vec<Outcome> {
+        damages.par_iter().map(|damage| self.outcome(damage)).collect()
+    }
+
     pub fn tally(&self, damages: &[Damage]) -> Tally {
         let mut tally = Tally::default();
-        for damage in damages {
-            match self.outcome(damage) {
+        for (damage, outcome) in damages.iter().zip(self.outcomes(damages)) {
+            match outcome {
                 Outcome::Recovered => tally.recovered += 1,
                 Outcome::Tied => tally.tied += 1,
                 Outcome::Undecided => tally.undecided += 1,

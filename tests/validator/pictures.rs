@@ -1,7 +1,7 @@
 //! Maps in memory: read, scaled, re-compressed, damaged and checked.
-#![allow(dead_code)] // Every test uses a part of it.
 
 use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
 
 use skycube::colour::encode_srgb;
 use skycube::envmap::source::Skybox;
@@ -10,7 +10,7 @@ use skycube::math::Vec3;
 use skycube::picture::{self, Format, Header, OutputFormat, Picture, Raster, Texels, WriteOptions};
 use skycube::validate::{Check, CheckOptions, ImageFacts, Names, check};
 
-use super::common::shared_map;
+use crate::common::shared_map;
 
 /// How the pictures of a map are kept.
 pub struct Storage {
@@ -43,8 +43,14 @@ pub struct Map {
     pictures: [Picture; 6],
 }
 
-/// The right maps at hand, in the opengl convention: those of the project, and real ones where they are.
-pub fn right_maps() -> Vec<(&'static str, Map)> {
+/// The right maps at hand, in the opengl convention: those of the project, and real ones where they are. They are decoded once
+/// for all tests of a binary.
+pub fn right_maps() -> &'static [(&'static str, Map)] {
+    static MAPS: LazyLock<Vec<(&'static str, Map)>> = LazyLock::new(read_right_maps);
+    &MAPS
+}
+
+fn read_right_maps() -> Vec<(&'static str, Map)> {
     use Face::{NegX, NegY, NegZ, PosX, PosY, PosZ};
     let own = Face::ALL;
     let quake = [PosZ, NegZ, PosY, NegY, PosX, NegX];
@@ -61,11 +67,8 @@ pub fn right_maps() -> Vec<(&'static str, Map)> {
         ("openexr/OrientationCube.exr", openexr, 0),
     ];
     let project = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("envmaps").join(name);
-    let mut maps: Vec<(&'static str, PathBuf, [Face; 6], usize)> = ["compass", "courtyard", "hall", "night", "seaside"]
-        .map(|name| (name, project(name), own, 0))
-        .into_iter()
-        .filter(|map| map.1.exists())
-        .collect();
+    let mut maps: Vec<(&'static str, PathBuf, [Face; 6], usize)> =
+        ["compass", "courtyard", "hall", "night", "seaside"].map(|name| (name, project(name), own, 0)).into();
     for (name, order, orientation) in real {
         maps.extend(shared_map(name).map(|path| (name, path, order, orientation)));
     }
