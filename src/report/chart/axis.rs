@@ -39,6 +39,14 @@ impl Axis {
         Self { title, range, ticks, lines }
     }
 
+    /// With every second, third, ... label only, so that there are no more than `most`.
+    #[cfg_attr(not(feature = "stress"), allow(dead_code))]
+    pub fn thinned(mut self, most: usize) -> Self {
+        let stride = self.ticks.len().div_ceil(most).max(1);
+        self.ticks = self.ticks.into_iter().step_by(stride).collect();
+        self
+    }
+
     /// The place of a value from 0 at the low end to 1 at the high one.
     pub fn place(&self, value: f64) -> f32 {
         let [low, high] = self.range.map(decimal_logarithm);

@@ -6,4 +6,6 @@ mod panel;
 
 pub(super) use axis::Axis;
 pub use marks::Chart;
+#[cfg(feature = "stress")]
+pub(super) use panel::draw_multiples;
 pub(super) use panel::{Line, Panel, Style, draw_panels};

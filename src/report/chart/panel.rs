@@ -10,6 +10,8 @@ pub(in crate::report) struct Panel {
     pub x: Axis,
     pub y: Axis,
     pub lines: Vec<Line>,
+    /// A range along x that is shaded.
+    pub shaded: Option<[f64; 2]>,
 }
 
 /// A line of a diagram; points are values, not places.
@@ -25,10 +27,9 @@ pub(in crate::report) struct Line {
 pub(in crate::report) enum Style {
     /// Measurements: the colour and the marker of a number.
     Series(usize),
-    /// The line of a bound.
+    /// Dashed: what is not measured. The line of a bound,
     #[cfg_attr(not(feature = "stress"), allow(dead_code))]
     Bound,
-    /// Dashed: what is not measured.
     Floor,
     Law,
 }
@@ -42,6 +43,7 @@ const GREY: Rgb = [120, 120, 120];
 const RED: Rgb = [205, 40, 40];
 const BOLD_GRID: Rgb = [205, 205, 205];
 const LIGHT_GRID: Rgb = [238, 238, 238];
+const SHADE: Rgb = [226, 238, 247];
 
 /// Distances in pixels: the whole chart, a panel, its margins, and the legend.
 const WIDTH: f32 = 1600.0;
@@ -66,7 +68,7 @@ pub(in crate::report) fn draw_panels(title: &str, panels: &[Panel], share_legend
     for row in panels.chunks(2) {
         let mut bottom = top + PANEL_HEIGHT;
         for (panel, left) in row.iter().zip([0.0, WIDTH / 2.0]) {
-            Frame::of(panel, left, top).draw(&mut chart);
+            Frame::large(panel, left, top).draw(&mut chart);
             if !share_legend {
                 let legend = [left + LEFT, top + PANEL_HEIGHT, left + WIDTH / 2.0];
                 bottom = bottom.max(chart.legend(&panel.lines, legend));
@@ -81,6 +83,34 @@ pub(in crate::report) fn draw_panels(title: &str, panels: &[Panel], share_legend
     chart
 }
 
+/// Small multiples: the width and height of a panel, its margins, the height of a heading, and the length of an em.
+const SMALL: [f32; 2] = [400.0, 280.0];
+const SMALL_MARGINS: [f32; 4] = [86.0, 34.0, 14.0, 62.0];
+const HEADING: f32 = 48.0;
+const SMALL_EM: f32 = 14.0;
+
+/// Draws small panels, four in a row, under the heading of their group. `note` says what they have in common.
+#[cfg_attr(not(feature = "stress"), allow(dead_code))]
+pub(in crate::report) fn draw_multiples(title: &str, note: &str, groups: &[(String, Vec<Panel>)]) -> Chart {
+    let mut chart = Chart { width: WIDTH as usize, height: 0, marks: Vec::new() };
+    chart.text(title, 1.25 * EM, (WIDTH / 2.0, 30.0), Anchor::Middle);
+    chart.text(note, 0.9 * EM, (WIDTH / 2.0, 62.0), Anchor::Middle);
+    let mut top = TITLE + 34.0;
+    let [width, height] = SMALL;
+    for (heading, panels) in groups {
+        chart.text(heading, 1.1 * EM, (SMALL_MARGINS[0], top + 34.0), Anchor::Start);
+        top += HEADING;
+        for row in panels.chunks((WIDTH / width) as usize) {
+            for (index, panel) in row.iter().enumerate() {
+                Frame::small(panel, index as f32 * width, top).draw(&mut chart);
+            }
+            top += height;
+        }
+    }
+    chart.height = top as usize;
+    chart
+}
+
 /// A panel and where its axes lie.
 struct Frame<'a> {
     panel: &'a Panel,
@@ -88,12 +118,19 @@ struct Frame<'a> {
     top: f32,
     right: f32,
     bottom: f32,
+    em: f32,
 }
 
 impl<'a> Frame<'a> {
-    fn of(panel: &'a Panel, left: f32, top: f32) -> Self {
+    fn large(panel: &'a Panel, left: f32, top: f32) -> Self {
         let (right, bottom) = (left + WIDTH / 2.0 - RIGHT, top + PANEL_HEIGHT - BOTTOM);
-        Self { panel, left: left + LEFT, top: top + TOP, right, bottom }
+        Self { panel, left: left + LEFT, top: top + TOP, right, bottom, em: EM }
+    }
+
+    fn small(panel: &'a Panel, left: f32, top: f32) -> Self {
+        let ([width, height], [before, above, behind, below]) = (SMALL, SMALL_MARGINS);
+        let (right, bottom) = (left + width - behind, top + height - below);
+        Self { panel, left: left + before, top: top + above, right, bottom, em: SMALL_EM }
     }
 
     fn x(&self, value: f64) -> f32 {
@@ -105,12 +142,18 @@ impl<'a> Frame<'a> {
     }
 
     fn draw(&self, chart: &mut Chart) {
-        let Panel { title, x: across, y: up, lines } = self.panel;
-        chart.text(title, 1.1 * EM, (self.left, self.top - 14.0), Anchor::Start);
+        let Panel { title, x: across, y: up, lines, shaded } = self.panel;
+        let em = self.em;
+        chart.text(title, 1.1 * em, (self.left, self.top - 0.7 * em), Anchor::Start);
+        if let Some(range) = shaded {
+            let [from, to] = range.map(|end| self.x(end).clamp(self.left, self.right));
+            let points = vec![(from, self.top), (to, self.top), (to, self.bottom), (from, self.bottom)];
+            chart.marks.push(Mark::Area { points, colour: SHADE });
+        }
         self.draw_grid(chart);
         let middle = ((self.left + self.right) / 2.0, (self.top + self.bottom) / 2.0);
-        chart.text(across.title, 1.1 * EM, (middle.0, self.bottom + 66.0), Anchor::Middle);
-        chart.upwards(up.title, 1.1 * EM, (self.left - 90.0, middle.1));
+        chart.text(across.title, 1.1 * em, (middle.0, self.bottom + 3.15 * em), Anchor::Middle);
+        chart.upwards(up.title, 1.1 * em, (self.left - 4.3 * em, middle.1));
         // Guides lie under what was measured.
         let (series, guides): (Vec<&Line>, Vec<&Line>) =
             lines.iter().partition(|line| matches!(line.style, Style::Series(_)));
@@ -137,10 +180,10 @@ impl<'a> Frame<'a> {
         let (axis_x, axis_y) = (sharp(left), sharp(bottom));
         chart.line(vec![(axis_x, top), (axis_x, axis_y), (right, axis_y)], 1.0, BLACK);
         for &value in &across.ticks {
-            chart.text(&label(value), EM, (self.x(value), bottom + 30.0), Anchor::Middle);
+            chart.text(&label(value), self.em, (self.x(value), bottom + 1.45 * self.em), Anchor::Middle);
         }
         for &value in &up.ticks {
-            chart.text(&label(value), EM, (left - 10.0, self.y(value) + 0.36 * EM), Anchor::End);
+            chart.text(&label(value), self.em, (left - 10.0, self.y(value) + 0.36 * self.em), Anchor::End);
         }
     }
 }
@@ -166,7 +209,7 @@ impl Chart {
     fn styled(&mut self, points: &[(f32, f32)], style: Style) {
         let (width, dashed, colour) = match style {
             Style::Series(number) => (3.0, false, COLOURS[number % COLOURS.len()]),
-            Style::Bound => (3.0, false, RED),
+            Style::Bound => (2.0, true, RED),
             Style::Floor => (3.0, true, BLACK),
             Style::Law => (2.0, true, GREY),
         };

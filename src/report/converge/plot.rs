@@ -49,7 +49,7 @@ fn panel(report: &ConvergeReport, measure: Measure, title: &'static str, cost: f
         let points = x.range.map(|end| (end, floor)).to_vec();
         lines.push(Line { label: label.to_owned(), style: Style::Floor, points });
     }
-    Panel { title: String::new(), x, y, lines }
+    Panel { title: String::new(), x, y, lines, shaded: None }
 }
 
 /// What the legend calls a curve.

@@ -1,55 +1,44 @@
-//! The chart of `skycube stress`: error over bound against magnitude, both logarithmic, one panel per group, one line
-//! per case.
+//! The chart of `skycube stress`: small multiples, one panel a case, error against magnitude, both logarithmic.
 //!
 //! ```text
-//!   1000 |            ,'
-//!        |          ,'            Above the red line the error is beyond its bound. Where the bound is 0 faults of a
-//!      1 |--------,'------        million rays are drawn instead: any fault is on the line or above.
-//!        |  ___,-'
-//!  1e-10 |_________________       Smaller errors and 0 lie on the floor.
+//!   check-noise
+//!    % |            ,'
+//!      |- - - - - ,'- - -      The dashed line is the bound; the promised range is shaded. Errors of 0 lie on the floor,
+//!      |::::::__,'             what is beyond all measure on the ceiling.
+//!      |______________
+//!       noise, codes of 255
 //! ```
 
 use clap::ValueEnum;
 
-use super::super::chart::{Axis, Chart, Line, Panel, Style, draw_panels};
+use super::super::chart::{Axis, Chart, Line, Panel, Style, draw_multiples};
 use crate::stress::{Case, Group};
 
-/// Errors over their bounds that are drawn as they are.
-const RANGE: [f64; 2] = [1e-10, 1e6];
+/// Labels of an axis of a small panel.
+const MOST_LABELS: usize = 5;
 
 /// The chart of cases.
 pub fn draw_stress(cases: &[Case]) -> Chart {
-    let members = |group: Group| cases.iter().filter(|case| case.subject.group == group).collect::<Vec<_>>();
-    let groups = Group::value_variants().iter().map(|&group| (group, members(group)));
-    let panels: Vec<Panel> =
-        groups.filter(|(_, members)| !members.is_empty()).map(|(group, members)| panel(group, &members)).collect();
-    draw_panels("Errors against their bounds", &panels, false)
+    let members = |group: Group| cases.iter().filter(move |case| case.subject.group == group).map(panel).collect();
+    let groups = Group::value_variants().iter().map(|&group| (group.title(), members(group)));
+    let groups: Vec<(String, Vec<Panel>)> = groups.filter(|(_, panels): &(_, Vec<Panel>)| !panels.is_empty()).collect();
+    let note = "dashed: the bound; shaded: where it is promised; on the floor: no error";
+    draw_multiples("Errors and their bounds", note, &groups)
 }
 
-fn panel(group: Group, cases: &[&Case]) -> Panel {
-    let magnitudes = cases.iter().flat_map(|case| &case.measurements).map(|step| step.magnitude);
-    let x = Axis::around("magnitude", magnitudes);
-    let y = Axis::between("error / bound, or faults per million; 1e-10: or less", RANGE);
-    let line = |(number, case): (usize, &&Case)| Line {
-        label: case.subject.name.to_owned(),
-        style: Style::Series(number),
-        points: case
-            .measurements
-            .iter()
-            .map(|step| (step.magnitude, over_bound(step.error, case.subject.bound)))
-            .collect(),
-    };
-    let bound = Line { label: String::new(), style: Style::Bound, points: x.range.map(|end| (end, 1.0)).to_vec() };
-    let lines = cases.iter().enumerate().map(line).chain([bound]).collect();
-    Panel { title: group.title(), x, y, lines }
-}
-
-/// The error over the bound; faults of a million, if none are allowed.
-fn over_bound(error: f64, bound: f64) -> f64 {
-    let ratio = match bound {
-        _ if error == 0.0 => 0.0,
-        0.0 => error.max(1.0),
-        _ => error / bound,
-    };
-    ratio.clamp(RANGE[0], RANGE[1])
+fn panel(case: &Case) -> Panel {
+    let subject = &case.subject;
+    let measured = || case.measurements.iter();
+    let promised = [subject.promised.least, subject.promised.most];
+    let x = Axis::around(subject.swept, measured().map(|step| step.magnitude)).thinned(MOST_LABELS);
+    let errors = measured().map(|step| step.error).chain([subject.bound]);
+    let y = Axis::around(subject.unit, errors).thinned(MOST_LABELS);
+    let within = |error: f64| error.clamp(y.range[0], y.range[1]);
+    let points = measured().map(|step| (step.magnitude, within(step.error))).collect();
+    let mut lines = vec![Line { label: String::new(), style: Style::Series(0), points }];
+    if subject.bound > 0.0 {
+        let points = x.range.map(|end| (end, subject.bound)).to_vec();
+        lines.push(Line { label: String::new(), style: Style::Bound, points });
+    }
+    Panel { title: subject.name.to_owned(), x, y, lines, shaded: Some(promised) }
 }
