@@ -66,7 +66,8 @@ fn fix(arguments: &FixArguments, map: &Path, output: Option<&Path>) -> Result<Ou
     let undecided = check.fix.faces.iter().filter(|fix| !fix.decided && fix.is_unchanged(&check.lookup));
     if check.verdict == Verdict::Broken && check.outliers.is_empty() {
         for fix in undecided {
-            remark(format_args!("left as it is: the pixels do not determine the orientation of {}\n", fix.face.name()));
+            let file = &check.images[fix.image.index()].file;
+            remark(format_args!("left as it is: the pixels do not determine the orientation of {file}\n"));
         }
     }
     if check.verdict == Verdict::Undecidable {

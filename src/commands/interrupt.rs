@@ -6,19 +6,19 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use super::progress_bar;
 use crate::picture::between_writes;
 
 static WATCHED: AtomicBool = AtomicBool::new(false);
 static REQUESTED: AtomicBool = AtomicBool::new(false);
 
-/// Sets up the signals. Without the handlers, which a system may refuse, they end the process as usual.
-pub fn handle() {
-    let _ = ctrlc::set_handler(|| {
+/// Sets up the signals; `tidy` is done before the process ends. Without the handlers, which a system may refuse, they end the
+/// process as usual.
+pub fn handle(tidy: fn()) {
+    let _ = ctrlc::set_handler(move || {
         let is_first = !REQUESTED.swap(true, Ordering::Relaxed);
         if !(is_first && WATCHED.load(Ordering::Relaxed)) {
             between_writes(|| {
-                progress_bar::clear();
+                tidy();
                 std::process::exit(130)
             });
         }

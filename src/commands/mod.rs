@@ -104,7 +104,7 @@ pub fn run() -> ExitCode {
     let matches = help::with_examples(CommandLine::command()).get_matches();
     let arguments = CommandLine::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
     choose_colours(arguments.color);
-    interrupt::handle();
+    interrupt::handle(progress_bar::clear);
     if let Some(bytes) = arguments.memory {
         set_memory_budget(bytes);
     }

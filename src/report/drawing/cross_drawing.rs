@@ -246,7 +246,7 @@ fn draw_legend(canvas: &mut Canvas, input: &CrossInput) {
         bottom.line(&format!("seam {}: {names}", verdict.name()), 17.0, Some(&sample));
     }
     if input.seams.iter().any(|seam| seam.verdict == Verdict::Broken) {
-        bottom.line("the wider, the larger the step across against the steps beside it", 15.0, None);
+        bottom.line("the wider, the larger the step across the seam", 15.0, None);
     }
     let letter = |canvas: &mut Canvas, y: f32| draw_letter(canvas, 'A', (LEFT + 14.0, y));
     bottom.line("sides with one letter are the same edge of the cube", 17.0, Some(&letter));

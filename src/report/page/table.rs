@@ -1,6 +1,6 @@
 //! A table that fits the terminal: the columns that matter least are left out first.
 
-use super::{Look, Meaning, Span};
+use super::look::{Look, Meaning, Span};
 
 /// A column of a table.
 #[derive(Debug, Clone)]
