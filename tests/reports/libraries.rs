@@ -6,11 +6,11 @@ use skycube::picture::read;
 use crate::common::outcome;
 use crate::compass;
 
-/// A right map, and a turned one in a subfolder, under `skies`.
+/// A right map and a turned one under `skies`.
 fn library() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     compass(&folder.path().join("skies/right"), None);
-    compass(&folder.path().join("skies/old/turned"), Some(Face::PosY));
+    compass(&folder.path().join("skies/turned"), Some(Face::PosY));
     folder
 }
 
@@ -20,7 +20,7 @@ fn fix_repairs_each_map_into_a_folder_of_its_name() {
     let (code, text, error) = outcome(folder.path(), &["fix", "skies", "-o", "repaired"]);
     assert_eq!(code, Some(0), "{text}{error}");
     assert_eq!(outcome(folder.path(), &["check", "repaired", "-q"]).0, Some(0));
-    assert!(folder.path().join("repaired/old/turned/posy.png").is_file());
+    assert!(folder.path().join("repaired/turned/posy.png").is_file());
     // Among the maps the next run would take the repaired ones for more of them.
     let (code, _, error) = outcome(folder.path(), &["fix", "skies", "-o", "skies/repaired"]);
     assert!(code == Some(2) && error.contains("inside the folder of maps"), "{error}");
@@ -28,7 +28,7 @@ fn fix_repairs_each_map_into_a_folder_of_its_name() {
     std::fs::write(folder.path().join("skies/right/posx.png"), "no picture").unwrap();
     let (code, _, error) = outcome(folder.path(), &["fix", "skies", "-o", "again"]);
     assert!(code == Some(2) && error.contains("1 of 2 maps failed"), "{error}");
-    assert!(folder.path().join("again/old/turned/posy.png").is_file());
+    assert!(folder.path().join("again/turned/posy.png").is_file());
 }
 
 #[test]
@@ -36,7 +36,7 @@ fn cross_draws_each_map_or_all_on_a_sheet() {
     let folder = library();
     let (code, _, error) = outcome(folder.path(), &["cross", "skies", "-o", "crosses", "--cell", "64"]);
     assert_eq!((code, error.as_str()), (Some(0), ""));
-    let one = read(&folder.path().join("crosses/old/turned.png")).unwrap();
+    let one = read(&folder.path().join("crosses/turned.png")).unwrap();
     let (code, text, _) = outcome(folder.path(), &["cross", "skies", "--sheet", "-o", "sheet.png"]);
     assert_eq!((code, text.as_str()), (Some(0), "wrote sheet.png: 2 maps\n"));
     let sheet = read(&folder.path().join("sheet.png")).unwrap();
@@ -50,7 +50,7 @@ fn shots_go_into_a_folder_for_each_map() {
     let folder = library();
     let (code, _, error) = outcome(folder.path(), &["shots", "skies", "-o", "shots", "--size", "16"]);
     assert_eq!((code, error.as_str()), (Some(0), ""));
-    for map in ["right", "old/turned"] {
+    for map in ["right", "turned"] {
         assert!(folder.path().join("shots").join(map).join("contact-sheet.png").is_file(), "{map}");
     }
 }

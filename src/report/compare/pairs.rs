@@ -144,6 +144,14 @@ impl FolderReport<'_> {
     }
 }
 
+impl CompareReport<'_> {
+    /// The report for machines on this pair alone.
+    pub fn to_json(&self) -> String {
+        let pair = PairReport::compared(String::new(), Path::new(""), self, false);
+        FolderReport(&pair.into_iter().collect::<Vec<_>>()).to_json(true)
+    }
+}
+
 impl PairReport {
     /// Two pictures that were compared; those of a pair that differs are kept, to be shown.
     pub(crate) fn compared(name: String, mine: &Path, report: &CompareReport, keeps_pictures: bool) -> Result<Self> {

@@ -7,7 +7,6 @@ use clap::ValueEnum;
 use serde::Serialize;
 
 use super::super::formats::{Examined, ReportedFinding};
-use super::pairs::{FolderReport, PairReport};
 use crate::choice::name_of;
 use crate::compare::{Comparison, Region, Verdict};
 use crate::digits::digits;
@@ -79,12 +78,6 @@ impl<'a> CompareReport<'a> {
         let value = metric.of(&comparison.views.before.metrics);
         let verdict = comparison.verdict(metric.is_within(value, threshold));
         Self { verdict, metric, value, threshold, comparison }
-    }
-
-    /// The report for machines on this pair alone.
-    pub fn to_json(&self) -> String {
-        let pair = PairReport::compared(String::new(), Path::new(""), self, false);
-        FolderReport(&pair.into_iter().collect::<Vec<_>>()).to_json(true)
     }
 
     /// What was compared, and what was found.
