@@ -47,8 +47,8 @@ fn time_of<T>(work: impl FnOnce() -> T) -> Duration {
 }
 
 /// The most memory that is in use at once while an input is read: so many bytes for each byte that the input has or says it
-/// has, and what tables and buffers of codecs take.
-const MEMORY: (usize, usize) = (16, 8 << 20);
+/// has, and what tables and buffers of codecs take (the `exr` crate: up to 24 MiB for a damaged file).
+const MEMORY: (usize, usize) = (16, 32 << 20);
 
 /// Feeds changed seeds to a target until its time is over, and says how many. The target gives the size that the input says it
 /// has, in bytes.
