@@ -77,11 +77,14 @@ fn damaged_data_are_found() {
     let files = own();
     assert!(!files.iter().any(|file| is_damaged(file)));
     let missed = missed(&files, 5);
-    // The codes fall into step again after a few bytes; where as many blocks come out by chance, nothing tells the damage.
-    let of_size =
-        |small: bool| missed.iter().filter(|kind| (1..200).contains(&kind.1) == small).map(|kind| kind.2).sum();
-    let (small, large): (usize, usize) = (of_size(true), of_size(false));
-    assert!(small <= 8 && large <= 1, "of {} a kind: {missed:?}", 5 * files.len());
+    // The codes fall into step again after a few bytes; where as many blocks come out by chance, nothing tells the damage. What
+    // is cut off or a long way out of step is always found.
+    let is_large = |size: usize| size == 0 || size >= 2000;
+    assert!(
+        missed.iter().all(|&(_, size, count)| count == 0 || !is_large(size)),
+        "of {} a kind: {missed:?}",
+        5 * files.len()
+    );
 }
 
 /// All pictures of the real maps are whole; a picture of each is damaged.

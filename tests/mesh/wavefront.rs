@@ -105,7 +105,6 @@ fn what_is_left_out_is_said() {
     let (file, _) =
         read(b"v 0 0 0 1 0 0\nv 1. 0 0. 1 1 1\nv 0 1. 0\nv 0 0 2 0.5\nl 1 2\nl 2 3\nf 1 2 3", None).unwrap();
     insta::assert_snapshot!(file.remarks.join("\n"), @r"
-    colours of vertices are not used (2 times, first in line 1)
     homogeneous coordinates x y z w are divided by w (line 4)
     points and lines are not drawn (2 times, first in line 5)
     ");
