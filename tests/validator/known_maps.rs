@@ -215,7 +215,7 @@ fn findings_name_the_kind_the_level_and_the_files() {
     assert_eq!(faults(&swapped()), [("exchanged", Level::Error, "posx.png posz.png".to_owned())]);
     let turned = turned();
     assert_eq!(faults(&turned), [("edited", Level::Error, "posy.png".to_owned())]);
-    assert_eq!(turned.findings()[0].sentence, "posy.png: turn 90° counterclockwise");
+    assert_eq!(turned.findings()[0].sentence, "posy.png: turn 90° clockwise");
     let copied = faulty(|pictures| pictures[0] = pictures[4].clone());
     assert_eq!(faults(&copied), [("outlier", Level::Error, "posx.png".to_owned())]);
     let figures = serde_json::json!({ "face": "posx", "reason": "copy", "copy_of": "posz" });
