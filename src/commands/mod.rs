@@ -4,7 +4,9 @@ mod bake;
 mod check;
 mod compare;
 mod converge;
+mod convert;
 mod cross;
+mod encoding_options;
 mod fix;
 mod grade;
 mod interrupt;
@@ -59,6 +61,8 @@ enum Command {
     Compare(compare::CompareArguments),
     /// Measure error against samples and run time; compare integrators, strategies, samplers, ...
     Converge(converge::ConvergeArguments),
+    /// Write a map in another layout, for another lookup, in another size or format
+    Convert(convert::ConvertArguments),
     /// Draw the map unfolded under the lookup, with its seams
     Cross(cross::CrossArguments),
     /// Find the fault in your own cube-map code from six of your renders
@@ -107,6 +111,7 @@ fn command(command: Command) -> Result<Outcome> {
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),
         Command::Lessons(arguments) => lessons::run(&arguments),

@@ -5,6 +5,7 @@ mod check;
 mod code;
 mod compare;
 mod converge;
+mod convert;
 mod drawing;
 mod grade;
 mod grouped;
@@ -28,6 +29,7 @@ pub use stress::StressReport;
 
 pub(crate) use check::{Totals, nothing_to_fix};
 pub(crate) use code::{CodeLanguage, lookup_code};
+pub(crate) use convert::{ConvertReport, ConvertedFile};
 pub(crate) use drawing::{CaptionedShot, CrossInput, draw_contact_sheet, draw_cross};
 pub(crate) use lessons::{lesson_list, lesson_page, lesson_started};
 pub(crate) use probe::ProbeReport;
