@@ -4,7 +4,7 @@ use clap::Command;
 
 /// The commands, by what people want.
 const GROUPS: [(&str, &[&str]); 5] = [
-    ("Check a skybox", &["check", "fix", "view", "cross", "shots", "probe"]),
+    ("Check a skybox", &["check", "fix", "convert", "view", "cross", "shots", "probe"]),
     ("Grade and compare", &["grade", "compare"]),
     ("Render", &["render", "bake", "trace", "converge", "stress"]),
     ("Learn", &["lessons"]),
@@ -13,7 +13,7 @@ const GROUPS: [(&str, &[&str]); 5] = [
 
 /// What one types, in the order of the groups.
 #[rustfmt::skip]
-const EXAMPLES: [(&str, &[&str]); 17] = [
+const EXAMPLES: [(&str, &[&str]); 18] = [
     ("check", &[
         "skycube check Meadow.zip",
         "skycube check textures/sky --engine unity",
@@ -26,6 +26,11 @@ const EXAMPLES: [(&str, &[&str]); 17] = [
         "skycube fix Meadow.zip -o repaired",
         "skycube fix skies -o repaired",
         "skycube fix textures/sky --lookup exercise --code cpp",
+    ]),
+    ("convert", &[
+        "skycube convert Meadow.zip -o cross.png --to cross",
+        "skycube convert panorama.hdr -o faces --to faces --size 1024",
+        "skycube convert Meadow.zip -o panorama.png --to equirectangular",
     ]),
     ("view", &[
         "skycube view Meadow.zip",

@@ -6,7 +6,9 @@ mod compare;
 mod compare_folders;
 mod config;
 mod converge;
+mod convert;
 mod cross;
+mod encoding_options;
 mod engine_option;
 mod fix;
 mod grade;
@@ -72,6 +74,8 @@ enum Command {
     Compare(compare::CompareArguments),
     /// Measure the error against samples and time, for several settings
     Converge(converge::ConvergeArguments),
+    /// Write a map in another layout, for another lookup, in another size or format
+    Convert(convert::ConvertArguments),
     /// Draw the map unfolded under the lookup, with its seams
     Cross(cross::CrossArguments),
     /// Find the fault in your own cube-map code from six of your renders
@@ -160,6 +164,7 @@ fn command(command: Command) -> Result<Outcome> {
         Command::Check(arguments) => check::run(&arguments),
         Command::Compare(arguments) => compare::run(&arguments),
         Command::Converge(arguments) => converge::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Cross(arguments) => cross::run(&arguments),
         Command::Grade(arguments) => grade::run(&arguments),
         Command::Lessons(arguments) => lessons::run(&arguments),

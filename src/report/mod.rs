@@ -5,6 +5,7 @@ mod check;
 mod code;
 mod compare;
 mod converge;
+mod convert;
 mod drawing;
 mod formats;
 mod grade;
@@ -34,6 +35,7 @@ pub use stress::StressReport;
 
 pub(crate) use check::{counted_maps, nothing_to_fix, picture_repairs};
 pub(crate) use code::{CodeLanguage, lookup_code};
+pub(crate) use convert::{ConvertReport, ConvertedFile};
 pub(crate) use drawing::{CaptionedShot, CrossInput, MapThumbnail, draw_contact_sheet, draw_cross, draw_map_sheet};
 pub(crate) use formats::{Examined, listed};
 pub(crate) use json::failure_json;

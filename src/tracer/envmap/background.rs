@@ -74,7 +74,7 @@ impl Equirectangular {
 
     /// How the picture lies around the viewer.
     pub(super) fn longitudes(&self) -> Longitudes {
-        Longitudes { up: self.up, turns: f64::from(self.turns) }
+        Longitudes::new(self.up, f64::from(self.turns))
     }
 }
 
@@ -98,6 +98,17 @@ pub(super) struct Longitudes {
 }
 
 impl Longitudes {
+    /// `up` and `turns` as in [`Equirectangular`].
+    pub(super) fn new(up: SignedAxis, turns: f64) -> Self {
+        Self { up, turns }
+    }
+
+    /// The distance of a unit direction from the axis: the radius of its circle of latitude.
+    pub(super) fn radius(&self, direction: DVec3) -> f64 {
+        let [x, _, z] = self.y_up(direction).to_array();
+        (x * x + z * z).sqrt()
+    }
+
     /// Place in the picture in `[0, 1]` from the left and from the top.
     pub(super) fn place(&self, direction: DVec3) -> (f64, f64) {
         let [x, y, z] = self.y_up(direction).to_array();

@@ -1,6 +1,6 @@
 //! Pictures in another orientation, and their lossless output.
 
-use super::{Format, OutputFormat, Picture, PngDepth, Samples, Texels, WriteOptions, encode, encode_png};
+use super::{Format, OutputFormat, Picture, PngDepth, Samples, Texels, WriteOptions, encode, encode_jpeg, encode_png};
 use crate::colour::ToneMap;
 use crate::error::Result;
 
@@ -18,6 +18,18 @@ impl Picture {
             Texels::Linear(colours) => Texels::Linear(indices.map(|at| colours[at]).collect()),
         };
         Self::new(self.header(), texels)
+    }
+
+    /// The picture as a file. Where the format holds bytes, those of an 8-bit picture stay as they are.
+    pub fn encode_as(&self, format: OutputFormat, options: &WriteOptions) -> Result<Vec<u8>> {
+        let (width, height) = (self.width(), self.height());
+        match (self.texels(), format) {
+            (Texels::Srgb8(bytes), OutputFormat::Png) if options.png_depth == PngDepth::Eight => {
+                encode_png(width, height, Samples::Rgb8(bytes))
+            }
+            (Texels::Srgb8(bytes), OutputFormat::Jpeg) => encode_jpeg(width, height, bytes, options.jpeg_quality),
+            _ => encode(&self.to_raster(), format, options),
+        }
     }
 
     /// The picture as a file without loss, and the extension of that file: PNG of 8 or 16 bits, OpenEXR for floats.

@@ -140,14 +140,20 @@ impl Layout {
         matches!(self, Self::HorizontalCross | Self::VerticalCross)
     }
 
-    /// The cells of the six faces, row by row. Those of crosses are for [`super::cross`] to find.
+    /// The cells of the six faces, +X -X +Y -Y +Z -Z: row by row, and those of crosses as they are drawn above. The arms of a
+    /// cross that is read may stand elsewhere, [`super::cross`] finds them.
     pub(super) fn cells(self) -> [Cell; 6] {
+        let upright = |column, row| Cell { column, row, turn: ImageOperation::None };
         let (columns, _) = self.grid();
-        Face::ALL.map(|face| Cell {
-            column: face.index() % columns,
-            row: face.index() / columns,
-            turn: ImageOperation::None,
-        })
+        match self {
+            Self::HorizontalCross => [(2, 1), (0, 1), (1, 0), (1, 2), (1, 1), (3, 1)].map(|(x, y)| upright(x, y)),
+            Self::VerticalCross => {
+                let mut cells = [(2, 1), (0, 1), (1, 0), (1, 2), (1, 1), (1, 3)].map(|(x, y)| upright(x, y));
+                cells[Face::NegZ.index()].turn = ImageOperation::Turn180;
+                cells
+            }
+            _ => [0, 1, 2, 3, 4, 5].map(|index| upright(index % columns, index / columns)),
+        }
     }
 }
 

@@ -2,6 +2,8 @@
 //!
 //! Opening reads names and headers. Pixels are decoded face by face, on demand.
 
+mod any_map;
+mod composed;
 mod cross;
 mod face_image;
 mod folder;
@@ -20,6 +22,7 @@ mod tests;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+pub use any_map::AnyMap;
 pub use face_image::FaceImage;
 pub use layout::{EnvironmentPicture, Layout};
 pub use listing::Naming;
