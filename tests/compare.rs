@@ -247,7 +247,7 @@ fn a_region_that_is_flipped_or_turned_is_called_so() {
             mine.set(60 + u, 30 + v, expected.pixel(60 + x, 30 + y));
         }
         let comparison = Comparison::of(&file_of(&mine), &file_of(&expected));
-        assert_eq!(names(&comparison), ["region-orientation"], "{name}");
+        assert_eq!(names(&comparison), ["region_orientation"], "{name}");
         assert_eq!(comparison.findings[0].figures["operation"], name);
         assert_eq!(comparison.verdict(true), Verdict::Differs);
     }

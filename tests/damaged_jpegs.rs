@@ -1,4 +1,5 @@
-//! JPEG files with damaged data and every marker in place: nearly all are named, and no whole file is.
+//! JPEG files with damaged data and every marker in place: what is cut off or long out of step is named, and no whole file
+//! is.
 
 mod common;
 

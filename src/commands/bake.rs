@@ -72,7 +72,11 @@ pub fn run(arguments: &BakeArguments) -> Result<Outcome> {
         files.push((target.as_path(), bytes?));
     }
     write(&arguments.output, &files)?;
-    targets.iter().for_each(|target| tell(format_args!("wrote {}\n", target.display())));
+    if is_standard_stream(&arguments.output) {
+        tell("wrote the six images as a zip\n");
+    } else {
+        targets.iter().for_each(|target| tell(format_args!("wrote {}\n", target.display())));
+    }
     tell(format_args!(
         "six images of {size} x {size} texels for the lookup {}, seen from ({}, {}, {}): {seconds:.2} s, {rays} rays\n",
         arguments.lookup, position.x, position.y, position.z

@@ -10,7 +10,9 @@ use super::report_options::ReportOptions;
 use super::terminal::{Outcome, leave_stdout_to, tell};
 use crate::compare::Comparison;
 use crate::error::{Error, Result};
-use crate::picture::{check_target, folder_of, make_folder, read, write_atomically, write_together};
+use crate::picture::{
+    check_target, folder_of, is_standard_stream, make_folder, read, write_atomically, write_together,
+};
 use crate::report::{CompareReport, FolderReport, Metric, PairReport, PairVerdict, draw_comparison};
 
 #[derive(Debug, Args)]
@@ -69,6 +71,9 @@ fn compare_one(arguments: &CompareArguments, threshold: f64) -> Result<PairRepor
         read(&arguments.mine)?;
         return Ok(PairReport::alone(name, &arguments.mine, PairVerdict::New));
     }
+    if [&arguments.mine, &arguments.expected].iter().all(|path| is_standard_stream(path)) {
+        return Err(Error::new("both pictures are standard input").expected("a file beside -"));
+    }
     let (mine, expected) = (read(&arguments.mine)?, read(&arguments.expected)?);
     let comparison = Comparison::of(&mine, &expected);
     let report = CompareReport::new(&comparison, arguments.metric, threshold);
@@ -111,6 +116,7 @@ fn print_all(arguments: &CompareArguments, reports: &[PairReport]) {
     arguments.report.print("compare", &examined, || FolderReport(reports).to_json(!in_folders));
     if arguments.report.is_text()
         && let Some(output) = &arguments.output
+        && (is_page(output) || reports.iter().all(|report| report.verdict != PairVerdict::New))
     {
         tell(format_args!("wrote {}\n", output.display()));
     }

@@ -3,13 +3,14 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use super::library::lies_inside;
 use crate::error::{Error, Result};
 use crate::picture::Format;
 
 /// A picture of mine and the expected one of the same name; one of them may be missing.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Pair {
-    /// The path inside the folders, without extension unless a folder has several pictures of that name.
+    /// The path inside the folders, without extension.
     pub name: String,
     pub mine: Option<PathBuf>,
     pub expected: Option<PathBuf>,
@@ -17,6 +18,9 @@ pub struct Pair {
 
 /// All pictures of two folders and their subfolders, by name.
 pub fn pairs(mine: &Path, expected: &Path) -> Result<Vec<Pair>> {
+    if lies_inside(mine, expected) || lies_inside(expected, mine) {
+        return Err(Error::new("one of the folders lies inside the other").in_file(mine).expected("two folders apart"));
+    }
     let (mine, mut expected) = (pictures(mine)?, pictures(expected)?);
     let mut pairs = Vec::new();
     for (name, path) in mine {

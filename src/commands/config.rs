@@ -16,9 +16,10 @@ use glob::{MatchOptions, Pattern};
 use skycube_files::document::{Document, Table, Value};
 
 use super::engine_option::EngineOption;
+use super::library::resolved;
 use crate::choice::names_of;
 use crate::envmap::{Engine, Preset, SignedAxis};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::report::ConfigReport;
 use crate::validate::KINDS;
 
@@ -55,7 +56,9 @@ impl Reading {
             let engine = config.engine.as_deref().and_then(|name| Engine::from_str(name, false).ok());
             self.engine = EngineOption::of(engine);
         }
-        self.world_up = self.world_up.or(config.world_up);
+        // An engine that the command line names brings its own axis.
+        let up = if self.engine.is_given() && config.engine.is_none() { None } else { config.world_up };
+        self.world_up = self.world_up.or(up);
         self
     }
 }
@@ -74,7 +77,7 @@ const BY_FOLDER: MatchOptions =
 impl Config {
     /// The configuration for a map: that in its folder, or in the nearest folder above that has one.
     pub fn above(map: &Path) -> Result<Option<ConfigReport>> {
-        let place = map.canonicalize().or_else(|_| std::path::absolute(map)).unwrap_or_else(|_| map.to_owned());
+        let place = resolved(map);
         let folder = place.ancestors().find(|folder| folder.join(NAME).is_file());
         folder.map(|folder| Ok(Self::read(folder)?.for_map(&place))).transpose()
     }
@@ -87,6 +90,13 @@ impl Config {
         let lookup = table.optional("lookup").map(|value| lookup(&value)).transpose()?;
         let engine = table.optional("engine").map(|value| engine(&value)).transpose()?;
         let world_up = table.optional("world_up").map(|value| axis(&value)).transpose()?;
+        if let (Some(lookup), Some(engine)) = (&lookup, &engine) {
+            return Err(Error::new(format!(
+                "lookup = \"{lookup}\" and engine = \"{engine}\": an engine brings its lookup with it"
+            ))
+            .in_file(&file)
+            .expected("one of the two"));
+        }
         let allowances = match table.optional("allow") {
             Some(value) => value.list()?.iter().map(|value| allowance(value.table()?)).collect::<Result<_>>()?,
             None => Vec::new(),

@@ -1,10 +1,12 @@
 //! Folders of maps: which maps an argument stands for, and a command that runs on each of them.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::terminal::{Outcome, remark, tell};
-use crate::envmap::source::{Skybox, is_meant_as_map, is_passed_over, sets_in};
+use crate::envmap::source::{FaceImage, Skybox, is_meant_as_map, is_passed_over, sets_in};
 use crate::error::{Error, Result};
+use crate::picture::is_standard_stream;
 
 /// The maps that an argument stands for: those inside a folder of maps, else the argument itself.
 pub fn maps_at(path: &Path) -> Vec<PathBuf> {
@@ -16,9 +18,16 @@ pub fn maps_at(path: &Path) -> Vec<PathBuf> {
     if inside.is_empty() { vec![path.to_owned()] } else { inside }
 }
 
-/// True if the path is a map, or a folder that is meant as one: what lies deeper does not stand for it.
-fn is_map(path: &Path) -> bool {
-    Skybox::open_lenient(path).is_ok() || is_meant_as_map(path)
+/// True if the path is a map, or a folder that is meant as one: what lies deeper does not stand for it. A folder whose only
+/// map lies in a subfolder is that map, unless there are others beside it.
+pub fn is_map(path: &Path) -> bool {
+    match Skybox::open_lenient(path) {
+        Ok(skybox) => {
+            let lies_here = |image: &FaceImage| image.file().parent() == Some(path);
+            !path.is_dir() || skybox.images.iter().all(lies_here) || maps_inside(path).len() <= 1
+        }
+        Err(_) => is_meant_as_map(path),
+    }
 }
 
 /// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one, and an archive
@@ -54,11 +63,12 @@ pub fn for_each_map(
     run: impl Fn(&Path, Option<&Path>) -> Result<Outcome>,
 ) -> Result<Outcome> {
     let maps = maps_at(path);
-    if maps == [path] || Skybox::open_lenient(path).is_ok() {
+    if maps == [path] {
         return run(path, output);
     }
     if let Some(output) = output {
         refuse_inside(path, output)?;
+        refuse_shared_places(path, &maps)?;
     }
     let (mut faults, mut failed) = (false, 0);
     for map in &maps {
@@ -86,10 +96,38 @@ pub fn place_of(library: &Path, map: &Path) -> PathBuf {
     if map.is_file() { inside.with_extension("") } else { inside.to_path_buf() }
 }
 
-/// An error if the output would lie among the maps, where the next run would take it for one.
+/// An error if two maps would be written to one place, as `Meadow` and `Meadow.zip`.
+fn refuse_shared_places(library: &Path, maps: &[PathBuf]) -> Result<()> {
+    let mut places = BTreeMap::new();
+    for map in maps {
+        if let Some(other) = places.insert(place_of(library, map), map) {
+            return Err(Error::new(format!("this map and {} would be written to one place", other.display()))
+                .in_file(map)
+                .help("rename one of them, or name them one by one"));
+        }
+    }
+    Ok(())
+}
+
+/// The path without links, as far as it exists.
+pub fn resolved(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    let existing = path.ancestors().find_map(|above| Some((above, above.canonicalize().ok()?)));
+    existing
+        .map_or_else(|| path.clone(), |(above, found)| found.join(path.strip_prefix(above).unwrap_or(Path::new(""))))
+}
+
+/// True if a path lies in a folder, or is that folder, whatever links lead there.
+pub fn lies_inside(path: &Path, folder: &Path) -> bool {
+    resolved(path).starts_with(resolved(folder))
+}
+
+/// An error if the output would lie among the maps, where the next run would take it for one; or is standard output.
 fn refuse_inside(library: &Path, output: &Path) -> Result<()> {
-    let absolute = |path: &Path| path.canonicalize().or_else(|_| std::path::absolute(path)).unwrap_or_default();
-    if absolute(output).starts_with(absolute(library)) {
+    if is_standard_stream(output) {
+        return Err(Error::new("standard output takes one picture, and this is a folder of maps").in_file(library));
+    }
+    if lies_inside(output, library) {
         return Err(Error::new("this folder lies inside the folder of maps")
             .in_file(output)
             .help("name another one with -o"));

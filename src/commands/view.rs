@@ -1,6 +1,6 @@
 //! `skycube view`: a page to look around in the map, before and after the repair.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 
@@ -25,7 +25,7 @@ pub struct ViewArguments {
     /// The page to write [default: the map's name with .html, in the current folder]
     #[arg(short, long, value_name = "PAGE.html")]
     output: Option<PathBuf>,
-    /// Keep the pictures at their full size and without loss, however large the page becomes
+    /// Keep the pictures at their full size, as PNG of 8 bits, however large the page becomes
     #[arg(long)]
     full: bool,
 }
@@ -34,8 +34,10 @@ pub struct ViewArguments {
 pub fn run(arguments: &ViewArguments) -> Result<Outcome> {
     let map = arguments.map.open()?;
     let (world_up, assumption) = map.up_axis(arguments.world_up);
-    let stem = std::path::Path::new(&map.name).file_stem().map_or_else(|| "map".into(), |stem| stem.to_os_string());
-    let output = arguments.output.clone().unwrap_or_else(|| PathBuf::from(stem).with_extension("html"));
+    // `sky.2k.zip` becomes `sky.2k.html`.
+    let stem = if arguments.map.map.is_file() { Path::new(&map.name).file_stem() } else { Some(map.name.as_ref()) };
+    let stem = stem.filter(|stem| *stem != "-").unwrap_or("map".as_ref()).display();
+    let output = arguments.output.clone().unwrap_or_else(|| PathBuf::from(format!("{stem}.html")));
     if output.extension().is_none_or(|extension| !extension.eq_ignore_ascii_case("html")) {
         return Err(Error::new("not the name of a page").in_file(&output).expected("a name that ends in .html"));
     }

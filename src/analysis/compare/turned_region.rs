@@ -26,7 +26,7 @@ struct TurnedRegion {
 }
 
 impl Kind for TurnedRegion {
-    const NAME: &'static str = "region-orientation";
+    const NAME: &'static str = "region_orientation";
     const WEIGHT: Weight = Weight::Fault;
 
     fn sentence(&self) -> String {

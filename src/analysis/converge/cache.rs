@@ -4,8 +4,8 @@ use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use super::configuration::Configuration;
-use crate::error::{Error, Result};
-use crate::picture::{self, Extras, Raster, WriteOptions};
+use crate::error::Result;
+use crate::picture::{self, Extras, Raster, WriteOptions, read_plain_file};
 use crate::scene::Scene;
 
 /// The key of a reference: what its pixels depend on, as 16 hexadecimal digits. The scene's files count by their bytes,
@@ -20,7 +20,7 @@ pub(super) fn key(scene: &Scene, configuration: &Configuration, samples: u32) ->
         let _ = writeln!(recipe, "{name} {value}");
     }
     for file in &scene.sources {
-        let bytes = std::fs::read(file).map_err(|error| Error::new(format!("cannot read: {error}")).in_file(file))?;
+        let bytes = read_plain_file(file, "a file of the scene")?;
         let _ = writeln!(recipe, "file {} {:08x} {:016x}", bytes.len(), crc32fast::hash(&bytes), hash(&bytes));
     }
     Ok(format!("{:016x}", hash(recipe.as_bytes())))

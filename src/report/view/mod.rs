@@ -93,8 +93,8 @@ pub fn view_page(input: &ViewInput) -> Result<String> {
         changes: check.fix.changes,
         faces: face_repairs(check),
     };
-    // A "</script>" in a file name would end the element.
-    let data = serde_json::to_string(&data).expect("a page is plain data").replace("</", "<\\/");
+    // Tags in the name of a file would end the element.
+    let data = serde_json::to_string(&data).expect("a page is plain data").replace('<', "\\u003c");
     let verdict = check.verdict.name();
     let headline = format!("<strong>{verdict}</strong> under the lookup {}", encode_text(&check.lookup_name));
     let code = if check.fix.changes > 0 { functions(&repaired, map.lookup()) } else { String::new() };

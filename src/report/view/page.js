@@ -138,7 +138,7 @@ function webglPainter(canvas, images) {
   };
 }
 
-/** The same without a graphics card, at a quarter of the pixels. */
+/** The same without a graphics card, at a ninth of the pixels. */
 function plainPainter(canvas, images) {
   const context = canvas.getContext("2d");
   return (view, table) => {

@@ -160,7 +160,8 @@ impl Engine {
         let lookup = preset.lookup().in_world(handedness);
         let lookup = negated.map_or(lookup, |axis| lookup.reflected(axis));
         // Unity's left is +X, where every other naming has -X.
-        let called = |face: Face, name: &str| files[face.index()].to_lowercase().contains(name);
+        let file = |face: Face| files[face.index()].rsplit(['/', '\\']).next().unwrap_or_default().to_lowercase();
+        let called = |face: Face, name: &str| file(face).contains(name);
         if self == Self::Unity && called(Face::PosX, "right") && called(Face::NegX, "left") {
             let mut rows = *lookup.rows();
             (rows[0].image, rows[1].image) = (rows[1].image, rows[0].image);

@@ -26,7 +26,7 @@ pub use skycube_files::picture::{
 };
 pub use skycube_files::{
     archive::archive_of, between_writes, check_folder_target, check_target, folder_of, is_standard_stream, make_folder,
-    write_atomically, write_if_absent, write_together,
+    read_plain_file, write_atomically, write_if_absent, write_together,
 };
 
 #[cfg(test)]
