@@ -36,7 +36,7 @@ pub struct ValidationOptions {
     /// Ignore the names: every image may go to every face
     #[arg(long)]
     pub any_order: bool,
-    /// Pass over skycube.toml, which sets lookup or engine, up axis and allowed findings of the maps below its folder
+    /// Ignore skycube.toml, which sets lookup or engine, up axis and allowed findings of the maps below its folder
     #[arg(long)]
     pub no_config: bool,
 }

@@ -70,6 +70,16 @@ struct Allowance {
     findings: Vec<String>,
 }
 
+impl Allowance {
+    /// True if the pattern matches a map, or a folder above it: `night/**` and `night` both mean the map `night`.
+    fn covers(&self, map: &Path) -> bool {
+        let written = self.maps.as_str();
+        let above = written.strip_suffix("/**").or_else(|| written.strip_suffix('/'));
+        let above = above.and_then(|above| Pattern::new(above).ok());
+        [Some(&self.maps), above.as_ref()].into_iter().flatten().any(|maps| maps.matches_path_with(map, BY_FOLDER))
+    }
+}
+
 /// `*` stays within a folder.
 const BY_FOLDER: MatchOptions =
     MatchOptions { case_sensitive: true, require_literal_separator: true, require_literal_leading_dot: false };
@@ -107,7 +117,7 @@ impl Config {
 
     fn for_map(self, map: &Path) -> ConfigReport {
         let inside = map.strip_prefix(&self.folder).unwrap_or(map);
-        let here = self.allowances.iter().filter(|one| one.maps.matches_path_with(inside, BY_FOLDER));
+        let here = self.allowances.iter().filter(|one| one.covers(inside));
         let mut allow: Vec<String> = here.flat_map(|one| one.findings.clone()).collect();
         allow.sort();
         allow.dedup();

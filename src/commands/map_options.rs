@@ -21,7 +21,7 @@ pub struct MapOptions {
     lookup: Option<String>,
     #[command(flatten)]
     engine: EngineOption,
-    /// Pass over skycube.toml, which sets lookup or engine and up axis of the maps below its folder
+    /// Ignore skycube.toml, which sets lookup or engine and up axis of the maps below its folder
     #[arg(long)]
     no_config: bool,
 }

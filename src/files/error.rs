@@ -122,7 +122,8 @@ impl fmt::Display for Error {
         let (problem, line) = (printable(&message.problem), message.line);
         let (key, expected, help) = (cleaned(&message.key), cleaned(&message.expected), cleaned(&message.help));
         if let Some(file) = &message.file {
-            write!(formatter, "{}:", printable(&file.to_string_lossy()))?;
+            // A line of its own could be taken for a command, by GitHub Actions say.
+            write!(formatter, "{}:", printable(&file.to_string_lossy()).replace('\n', "\\n"))?;
             if let Some(line) = line {
                 write!(formatter, "{line}:")?;
             }

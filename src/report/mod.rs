@@ -10,6 +10,7 @@ mod drawing;
 mod formats;
 mod grade;
 mod grouped;
+mod html;
 mod json;
 mod lessons;
 mod map_check;

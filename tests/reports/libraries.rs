@@ -32,6 +32,27 @@ fn fix_repairs_each_map_into_a_folder_of_its_name() {
 }
 
 #[test]
+fn a_folder_with_one_good_map_and_others_is_no_map() {
+    let folder = library();
+    std::fs::remove_file(folder.path().join("skies/turned/posx.png")).unwrap();
+    let (code, text, _) = outcome(folder.path(), &["check", "skies"]);
+    assert!(code == Some(2) && text.contains("1 fit") && text.contains("1 could not be checked"), "{text}");
+}
+
+#[test]
+fn two_maps_never_get_one_place_and_folders_apart_are_compared() {
+    let folder = library();
+    let zip = skycube::picture::archive_of([("posx.png", &b"no picture"[..])]).unwrap();
+    std::fs::write(folder.path().join("skies/right.zip"), zip).unwrap();
+    let (code, _, error) = outcome(folder.path(), &["cross", "skies", "-o", "crosses"]);
+    assert!(code == Some(2) && error.contains("would be written to one place"), "{error}");
+    let (code, _, error) = outcome(folder.path(), &["compare", "skies", "skies/right"]);
+    assert!(code == Some(2) && error.contains("lies inside the other"), "{error}");
+    let (code, _, error) = outcome(folder.path(), &["cross", "skies", "-o", "-"]);
+    assert!(code == Some(2) && error.contains("standard output takes one picture"), "{error}");
+}
+
+#[test]
 fn cross_draws_each_map_or_all_on_a_sheet() {
     let folder = library();
     let (code, _, error) = outcome(folder.path(), &["cross", "skies", "-o", "crosses", "--cell", "64"]);

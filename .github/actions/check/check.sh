@@ -4,6 +4,7 @@ set -euo pipefail
 
 arguments=()
 while IFS= read -r map; do
+  map=${map%$'\r'}
   if [ -n "$map" ]; then arguments+=("$map"); fi
 done <<< "$MAPS"
 # Options are words: the shell divides them.

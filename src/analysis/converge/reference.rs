@@ -136,18 +136,24 @@ impl Reference {
     }
 }
 
+const STOPPED: &str = "stopped before the reference was finished: nothing was written";
+
 fn render_halves(scene: &mut Scene, samples: u32, watch: &impl Watch, what: &str) -> Result<[Raster; 2]> {
     let [width, height] = scene.camera.size();
     let phase = watch.begin(what, Work::Samples(2 * u64::from(samples) * (width * height) as u64));
     let own_seed = scene.sampling.seed;
     let mut half = |offset: u32| -> Result<Raster> {
+        // Once cancelled, nothing may be prepared either: that traces rays, too.
+        if watch.cancelled() {
+            return Err(Error::new(STOPPED));
+        }
         // In the scene itself, so that the photons that search for caustics are others, too.
         scene.sampling.seed = own_seed.wrapping_add(offset);
         let plan = Plan::new(scene);
         let renderer = Renderer::new(scene, &plan)?.scattered();
         let rendering = render_progressively(renderer, Budget::Samples(samples), &phase)?;
         if rendering.stopped {
-            return Err(Error::new("stopped before the reference was finished: nothing was written"));
+            return Err(Error::new(STOPPED));
         }
         Ok(rendering.raster)
     };

@@ -187,6 +187,13 @@ pub fn counted_maps(maps: usize) -> String {
     format!("{maps} map{}", if maps == 1 { "" } else { "s" })
 }
 
+/// The notes of the short report, as sentences.
+pub fn brief_notes(check: &Check) -> Vec<String> {
+    let names = check.file_names();
+    let notes = check.notes.iter().filter(|note| !note.is_beyond_repair() && is_brief(note, check));
+    notes.map(|note| note.sentence(&names)).collect()
+}
+
 /// Whether a note belongs into the short report: it names an assumption, a doubt or a copy. What changes nothing waits for
 /// `--verbose`, and so does what is clear once a picture is replaced.
 fn is_brief(note: &Note, check: &Check) -> bool {

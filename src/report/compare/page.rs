@@ -3,8 +3,8 @@
 
 use base64::Engine;
 use base64::engine::general_purpose::STANDARD;
-use html_escape::encode_text;
 
+use super::super::html::{filled, text};
 use super::pairs::{FolderReport, PairReport};
 
 const PAGE: &str = include_str!("page.html");
@@ -15,18 +15,16 @@ impl FolderReport<'_> {
         let (right, wrong): (Vec<&PairReport>, Vec<&PairReport>) =
             self.0.iter().partition(|pair| pair.verdict.is_right());
         let pairs: String = wrong.into_iter().chain(right).map(section).collect();
-        // The pairs come last: their names may contain anything.
-        PAGE.replace("{mine}", &encode_text(mine))
-            .replace("{expected}", &encode_text(expected))
-            .replace("{summary}", &encode_text(&self.summary()))
-            .replace("{pairs}", &pairs)
+        let parts =
+            [("mine", text(mine)), ("expected", text(expected)), ("summary", text(&self.summary())), ("pairs", pairs)];
+        filled(PAGE, &parts)
     }
 }
 
 fn section(pair: &PairReport) -> String {
     let sentences: String =
-        pair.sentences.iter().map(|sentence| format!("      <li>{}</li>\n", encode_text(sentence))).collect();
-    let (class, name) = (pair.verdict.name(), encode_text(&pair.name));
+        pair.sentences.iter().map(|sentence| format!("      <li>{}</li>\n", text(sentence))).collect();
+    let (class, name) = (pair.verdict.name(), text(&pair.name));
     format!(
         "  <section class=\"{class}\">\n    <h2>{name} <span>{class}</span></h2>\n    <ul>\n{sentences}    </ul>\n{}  </section>\n",
         pictures(pair)

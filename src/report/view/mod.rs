@@ -7,12 +7,11 @@ mod pictures;
 
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
-use html_escape::encode_text;
 use serde::Serialize;
 
-use super::check::{Repair, code, nothing_to_fix, repairs, statements};
+use super::check::{Repair, brief_notes, code, nothing_to_fix, repairs, statements};
 use super::code::{CodeLanguage, lookup_code};
-use crate::choice::name_of;
+use super::html::{filled, text};
 use crate::envmap::{CubeMap, Face, Handedness, Lookup, Orientation, SignedAxis, VOrigin};
 use crate::error::Result;
 use crate::validate::{Check, Seam};
@@ -96,15 +95,15 @@ pub fn view_page(input: &ViewInput) -> Result<String> {
     // Tags in the name of a file would end the element.
     let data = serde_json::to_string(&data).expect("a page is plain data").replace('<', "\\u003c");
     let verdict = check.verdict.name();
-    let headline = format!("<strong>{verdict}</strong> under the lookup {}", encode_text(&check.lookup_name));
+    let headline = format!("<strong>{verdict}</strong> under the lookup {}", text(&check.lookup_name));
     let code = if check.fix.changes > 0 { functions(&repaired, map.lookup()) } else { String::new() };
     let parts = [
-        ("title", format!("{}: {verdict}", encode_text(name))),
-        ("name", encode_text(name).into_owned()),
+        ("title", format!("{}: {verdict}", text(name))),
+        ("name", text(name)),
         ("verdict", verdict.to_owned()),
         ("headline", headline),
         ("do_heading", if check.fix.changes > 0 { "What to do" } else { "What was found" }.to_owned()),
-        ("repair", list(&to_do(check))),
+        ("repair", [list(&to_do(check)), code_lines(check), list(&brief_notes(check))].concat()),
         ("seams", seams(check)),
         ("code", code),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
@@ -115,7 +114,7 @@ pub fn view_page(input: &ViewInput) -> Result<String> {
     Ok(filled(include_str!("page.html"), &parts))
 }
 
-/// What to do and why, and the same in the code; or that nothing is to be done.
+/// What to do and why; or that nothing is to be done.
 fn to_do(check: &Check) -> Vec<String> {
     let repairs = repairs(check);
     if repairs.is_empty() {
@@ -125,7 +124,7 @@ fn to_do(check: &Check) -> Vec<String> {
         Some(why) => format!("{what} ({why})"),
         None => what,
     });
-    told.chain(code(check).into_iter().map(|line| format!("or in the code of the lookup: {line}"))).collect()
+    told.collect()
 }
 
 /// The sentence on each face, in the order of [`Face::ALL`].
@@ -144,22 +143,20 @@ fn face_repairs(check: &Check) -> [String; 6] {
     })
 }
 
-/// The template with its parts; what the parts contain is not looked at again.
-fn filled(template: &str, parts: &[(&str, String)]) -> String {
-    let mut page = String::new();
-    let mut rest = template;
-    while let Some((before, after)) = rest.split_once("{{") {
-        let (name, after) = after.split_once("}}").expect("the template closes what it opens");
-        let (_, part) = parts.iter().find(|(known, _)| *known == name).expect("the template names a part");
-        page.push_str(before);
-        page.push_str(part);
-        rest = after;
+/// The same in the code of the lookup.
+fn code_lines(check: &Check) -> String {
+    let lines = code(check);
+    if lines.is_empty() {
+        return String::new();
     }
-    page + rest
+    format!("<p>Or in the code of the lookup:</p>\n<pre>{}</pre>\n", text(&lines.join("\n")))
 }
 
 fn list(lines: &[String]) -> String {
-    let items: String = lines.iter().map(|line| format!("<li>{}</li>\n", encode_text(line))).collect();
+    if lines.is_empty() {
+        return String::new();
+    }
+    let items: String = lines.iter().map(|line| format!("<li>{}</li>\n", text(line))).collect();
     format!("<ul>\n{items}</ul>")
 }
 
@@ -185,10 +182,18 @@ fn functions(repaired: &Lookup, given: &Lookup) -> String {
     use CodeLanguage::{Cpp, Csharp, Glsl, Java, Python, Rust};
     let block = |language: CodeLanguage| {
         let code = lookup_code(repaired, given, language);
-        let name = name_of(language);
+        let name = match language {
+            Cpp => "C++",
+            Glsl => "GLSL",
+            Rust => "Rust",
+            Java => "Java",
+            Python => "Python",
+            Csharp => "C#",
+            CodeLanguage::Toml => "TOML",
+        };
         format!(
             "<details><summary>{name}</summary><div><button class=\"copy\" hidden>copy</button><pre>{}</pre></div></details>\n",
-            encode_text(&code)
+            text(&code)
         )
     };
     let blocks: String = [Cpp, Glsl, Rust, Java, Python, Csharp].map(block).concat();

@@ -37,7 +37,8 @@ pub fn render_progressively(mut renderer: Renderer, budget: Budget, progress: &d
     }
     match rendered {
         Ok(()) => Ok(renderer.rendering(false)),
-        Err(error) if !until.cancelled() => Err(error),
+        // Pictures that cannot be decoded are errors whether time is left or not.
+        Err(error) if !until.cancelled() || error.file().is_some() => Err(error),
         // A pass that was begun leaves every row right by itself.
         Err(_) if renderer.is_presentable() => Ok(renderer.rendering(progress.cancelled())),
         Err(_) => Err(Error::new("stopped before there was even a coarse picture: nothing was written")),
