@@ -53,8 +53,10 @@ pub fn run(arguments: &CompareArguments) -> Result<Outcome> {
     let reports = match [&arguments.mine, &arguments.expected].map(|path| path.is_dir()) {
         [false, false] => vec![compare_one(arguments, threshold)?],
         [true, true] => compare_all(arguments, threshold)?,
-        [true, false] => return Err(Error::new("this is no folder, but yours is one").in_file(&arguments.expected)),
-        [false, true] => return Err(Error::new("this is no folder, but the expected one is").in_file(&arguments.mine)),
+        [true, false] => return Err(Error::new("this is not a folder, but yours is one").in_file(&arguments.expected)),
+        [false, true] => {
+            return Err(Error::new("this is not a folder, but the expected one is").in_file(&arguments.mine));
+        }
     };
     if let Some(page) = arguments.output.as_ref().filter(|output| is_page(output)) {
         let [mine, expected] = [&arguments.mine, &arguments.expected].map(|path| path.display().to_string());

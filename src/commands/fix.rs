@@ -42,7 +42,7 @@ struct Corrected {
 /// Repairs a map, or each map of a folder. Ends with faults if a map is still broken.
 pub fn run(arguments: &FixArguments) -> Result<Outcome> {
     if arguments.output.is_none() && arguments.code.is_none() {
-        return Err(Error::new("there is no place for the fix")
+        return Err(Error::new("neither -o nor --code is given")
             .expected("-o FOLDER for six corrected files, or --code cpp|glsl|rust|java|python|csharp|toml for the corrected lookup"));
     }
     for_each_map(&arguments.map, arguments.output.as_deref(), |map, output| fix(arguments, map, output))

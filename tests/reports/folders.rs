@@ -87,7 +87,7 @@ fn what_cannot_be_paired_is_an_error() {
     let (code, _, error) = outcome(folder.path(), &["compare", "mine", "expected"]);
     assert!(code == Some(2) && error.contains("has the same name"), "{error}");
     let cases: [(&[&str], &str); 3] = [
-        (&["mine/alike.png", "expected"], "this is no folder"),
+        (&["mine/alike.png", "expected"], "this is not a folder"),
         (&["expected", "expected", "-o", "page.png"], "a name with .html"),
         (&["expected", "empty"], "holds no picture"),
     ];

@@ -202,9 +202,9 @@ fn is_brief(note: &Note, check: &Check) -> bool {
         Note::Outlier { .. } | Note::Sizes { .. } | Note::NotSquare { .. } => true,
         Note::Undecided { faces } => !faces.iter().all(replaced),
         Note::Identical { .. } => check.outliers.is_empty(),
-        Note::Flat { .. } | Note::Doubtful { .. } | Note::Open { .. } => true,
+        Note::Flat { .. } | Note::Doubtful { .. } | Note::Open { .. } | Note::Exposure { .. } => true,
         Note::Unnamed { .. } | Note::AssumedUp { .. } | Note::Sky { .. } => true,
-        Note::Framed { .. } | Note::Alpha { .. } | Note::Exposure { .. } | Note::Rough { .. } => false,
+        Note::Framed { .. } | Note::Alpha { .. } | Note::Rough { .. } => false,
         Note::Mirrored { .. } => check.verdict == Verdict::Fits,
     }
 }
