@@ -74,7 +74,7 @@ enum Command {
     Compare(compare::CompareArguments),
     /// Measure the error against samples and time, for several settings
     Converge(converge::ConvergeArguments),
-    /// Write a map in another layout, for another lookup, in another size or format
+    /// Write a map in another layout, size, format or lookup
     Convert(convert::ConvertArguments),
     /// Draw the map unfolded under the lookup, with its seams
     Cross(cross::CrossArguments),

@@ -4,8 +4,12 @@ use html_escape::encode_text;
 
 /// A text as it stands in a page: nothing in it is a tag, and control characters, which names of files may hold, are replaced.
 pub(super) fn text(text: &str) -> String {
-    let harmless = text.replace(|letter: char| letter.is_control() && letter != '\n', "\u{fffd}");
-    encode_text(&harmless).into_owned()
+    encode_text(&harmless(text)).into_owned()
+}
+
+/// A text without control characters.
+pub(super) fn harmless(text: &str) -> String {
+    text.replace(|letter: char| letter.is_control() && letter != '\n', "\u{fffd}")
 }
 
 /// The template with its parts; what the parts contain is not looked at again.

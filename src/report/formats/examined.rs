@@ -44,6 +44,11 @@ impl Examined {
         Self { name, verdict: "failed", findings: vec![finding] }
     }
 
+    /// The verdict and a sentence, which may begin with it.
+    pub fn said(&self, sentence: &str) -> String {
+        if sentence.starts_with(self.verdict) { sentence.to_owned() } else { format!("{}: {sentence}", self.verdict) }
+    }
+
     /// Errors and warnings that are not allowed.
     pub fn faults(&self) -> impl Iterator<Item = &ReportedFinding> {
         self.findings.iter().filter(|finding| !finding.allowed && finding.level != Level::Note)

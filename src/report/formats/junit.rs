@@ -3,6 +3,7 @@
 
 use html_escape::encode_double_quoted_attribute;
 
+use super::super::html::harmless;
 use super::{Examined, ReportedFinding};
 use crate::validate::Level;
 
@@ -29,10 +30,11 @@ fn case(command: &str, one: &Examined) -> String {
     let sentences: Vec<&str> = errors(one).map(|fault| fault.sentence.as_str()).collect();
     let Some(kind) = errors(one).next().map(|fault| fault.kind) else { return format!("{head}/>\n") };
     let element = if one.verdict == "failed" { "error" } else { "failure" };
-    let (message, text) = (escaped(&format!("{}: {}", one.verdict, sentences[0])), escaped(&sentences.join("\n")));
+    let (message, text) = (escaped(&one.said(sentences[0])), escaped(&sentences.join("\n")));
     format!("{head}>\n      <{element} type=\"{kind}\" message=\"{message}\">{text}</{element}>\n    </testcase>\n")
 }
 
+/// XML has no control characters, which names of files may hold.
 fn escaped(text: &str) -> String {
-    encode_double_quoted_attribute(text).into_owned()
+    encode_double_quoted_attribute(&harmless(text)).into_owned()
 }

@@ -47,7 +47,7 @@ fn result(command: &str, one: &Examined, finding: &ReportedFinding) -> Value {
     let mut result = json!({
         "ruleId": format!("{command}/{}", finding.kind),
         "level": if finding.level == Level::Error { "error" } else { "warning" },
-        "message": { "text": format!("{}: {}: {}", one.name, one.verdict, finding.sentence) },
+        "message": { "text": format!("{}: {}", one.name, one.said(&finding.sentence)) },
         "locations": [{ "physicalLocation": { "artifactLocation": { "uri": uri(&finding.path()) } } }],
     });
     if finding.allowed {
@@ -58,12 +58,15 @@ fn result(command: &str, one: &Examined, finding: &ReportedFinding) -> Value {
 
 /// A path as a URI: relative to where the command ran, or with the scheme `file`.
 fn uri(path: &str) -> String {
+    let absolute = Path::new(path).is_absolute();
     let mut uri = String::new();
     for &byte in path.as_bytes() {
         match byte {
             b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'.' | b'_' | b'~' | b'/' => uri.push(char::from(byte)),
+            // That of a drive.
+            b':' if absolute => uri.push(':'),
             _ => uri.push_str(&format!("%{byte:02X}")),
         }
     }
-    if Path::new(path).is_absolute() { format!("file:///{}", uri.trim_start_matches('/')) } else { uri }
+    if absolute { format!("file:///{}", uri.trim_start_matches('/')) } else { uri }
 }
