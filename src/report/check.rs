@@ -5,7 +5,7 @@ mod text;
 
 pub use repair::picture_repairs;
 pub(super) use repair::{Repair, code, repairs, statements};
-pub(super) use text::brief_notes;
+pub(super) use text::notes;
 pub use text::{counted_maps, map_line, totals_line};
 
 use serde::Serialize;

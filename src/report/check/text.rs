@@ -67,11 +67,7 @@ impl CheckReport<'_> {
         let after =
             if fix.changes > 0 { format!("; after the repair: {}", counted(&fix.seams_after)) } else { String::new() };
         page.say(0, format!("seams: {}{after}", counted(seams)));
-        let names = self.check.file_names();
-        let notes = self.check.notes.iter().filter(|note| !note.is_beyond_repair());
-        for note in notes.filter(|note| verbose || is_brief(note, self.check)) {
-            page.say(0, format!("note: {}", note.sentence(&names)));
-        }
+        notes(self.check, verbose).iter().for_each(|note| page.say(0, format!("note: {note}")));
         if fix.changes > 0 {
             let command = |text: &str| (Meaning::Code, text.to_owned());
             page.add(
@@ -187,11 +183,11 @@ pub fn counted_maps(maps: usize) -> String {
     format!("{maps} map{}", if maps == 1 { "" } else { "s" })
 }
 
-/// The notes of the short report, as sentences.
-pub fn brief_notes(check: &Check) -> Vec<String> {
+/// The notes beside the repairs, as sentences; unless `verbose`, those of the short report.
+pub fn notes(check: &Check, verbose: bool) -> Vec<String> {
     let names = check.file_names();
-    let notes = check.notes.iter().filter(|note| !note.is_beyond_repair() && is_brief(note, check));
-    notes.map(|note| note.sentence(&names)).collect()
+    let notes = check.notes.iter().filter(|note| !note.is_beyond_repair());
+    notes.filter(|note| verbose || is_brief(note, check)).map(|note| note.sentence(&names)).collect()
 }
 
 /// Whether a note belongs into the short report: it names an assumption, a doubt or a copy. What changes nothing waits for

@@ -9,7 +9,7 @@ use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use serde::Serialize;
 
-use super::check::{Repair, brief_notes, code, nothing_to_fix, repairs, statements};
+use super::check::{Repair, code, notes, nothing_to_fix, repairs, statements};
 use super::code::{CodeLanguage, lookup_code};
 use super::html::{filled, text};
 use crate::envmap::{CubeMap, Face, Handedness, Lookup, Orientation, SignedAxis, VOrigin};
@@ -103,7 +103,7 @@ pub fn view_page(input: &ViewInput) -> Result<String> {
         ("verdict", verdict.to_owned()),
         ("headline", headline),
         ("do_heading", if check.fix.changes > 0 { "What to do" } else { "What was found" }.to_owned()),
-        ("repair", [list(&to_do(check)), code_lines(check), list(&brief_notes(check))].concat()),
+        ("repair", [list(&to_do(check)), code_lines(check), list(&notes(check, false))].concat()),
         ("seams", seams(check)),
         ("code", code),
         ("version", env!("CARGO_PKG_VERSION").to_owned()),
