@@ -6,7 +6,7 @@ use clap::Args;
 
 use super::config::{Config, Reading};
 use super::engine_option::EngineOption;
-use super::library::{is_map, maps_at};
+use super::library::{maps_at, stands_for};
 use super::map_options::{DEFAULT_LOOKUP, check_skybox};
 use super::options::read_lookup;
 use super::report_options::ReportOptions;
@@ -106,8 +106,8 @@ pub fn run(arguments: &CheckArguments) -> Result<Outcome> {
         return report_one(check(name, &arguments.maps[0], Ok(skybox)), arguments);
     }
     if let [map] = &arguments.maps[..]
-        && is_map(map)
         && let Ok(skybox) = Skybox::open_lenient(map)
+        && stands_for(map, &skybox)
     {
         return report_one(check(map.display().to_string(), map, Ok(skybox)), arguments);
     }

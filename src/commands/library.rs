@@ -10,6 +10,9 @@ use crate::picture::is_standard_stream;
 
 /// The maps that an argument stands for: those inside a folder of maps, else the argument itself.
 pub fn maps_at(path: &Path) -> Vec<PathBuf> {
+    if !path.is_dir() {
+        return vec![path.to_owned()];
+    }
     let sets = sets_in(path);
     if !sets.is_empty() {
         return sets;
@@ -20,14 +23,14 @@ pub fn maps_at(path: &Path) -> Vec<PathBuf> {
 
 /// True if the path is a map, or a folder that is meant as one: what lies deeper does not stand for it. A folder whose only
 /// map lies in a subfolder is that map, unless there are others beside it.
-pub fn is_map(path: &Path) -> bool {
-    match Skybox::open_lenient(path) {
-        Ok(skybox) => {
-            let lies_here = |image: &FaceImage| image.file().parent() == Some(path);
-            !path.is_dir() || skybox.images.iter().all(lies_here) || maps_inside(path).len() <= 1
-        }
-        Err(_) => is_meant_as_map(path),
-    }
+fn is_map(path: &Path) -> bool {
+    Skybox::open_lenient(path).map_or_else(|_| is_meant_as_map(path), |skybox| stands_for(path, &skybox))
+}
+
+/// True if a path stands for the map that it opened as.
+pub fn stands_for(path: &Path, skybox: &Skybox) -> bool {
+    let lies_here = |image: &FaceImage| image.file().parent() == Some(path);
+    !path.is_dir() || skybox.images.iter().all(lies_here) || maps_inside(path).len() <= 1
 }
 
 /// The maps in a folder of maps and its subfolders, sorted. A subfolder that is neither a map nor holds one, and an archive
@@ -38,18 +41,15 @@ fn maps_inside(folder: &Path) -> Vec<PathBuf> {
     paths.sort();
     let mut maps = Vec::new();
     for path in paths {
-        let archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
-        let is_face = |name: &std::ffi::OsStr| !is_passed_over(&name.to_string_lossy());
-        if path.is_file() && !archive && !path.file_name().is_some_and(is_face) {
+        if path.is_dir() {
+            let is_other_link = path.is_symlink() && sets_in(&path).is_empty() && !is_map(&path);
+            maps.extend(if is_other_link { Vec::new() } else { maps_at(&path) });
             continue;
         }
-        let sets = sets_in(&path);
-        if !sets.is_empty() {
-            maps.extend(sets);
-        } else if archive || is_map(&path) {
+        let is_archive = path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case("zip"));
+        let is_passed_over = path.file_name().is_some_and(|name| is_passed_over(&name.to_string_lossy()));
+        if is_archive || (!is_passed_over && is_map(&path)) {
             maps.push(path);
-        } else if path.is_dir() && !path.is_symlink() {
-            maps.extend(maps_at(&path));
         }
     }
     maps
