@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 
 use super::engine_option::EngineOption;
+use super::map_options::name_of_map;
 use super::progress_bar::Spinner;
 use super::report_options::ReportOptions;
 use super::terminal::{Outcome, print, tell};
@@ -53,8 +54,7 @@ pub fn run(arguments: &GradeArguments) -> Result<Outcome> {
     let spinner = Spinner::new("grading");
     let grade = grade(&skybox, &arguments.shots, lookup, world_up).inspect_err(|_| spinner.finish())?;
     spinner.finish();
-    let name =
-        arguments.map.file_name().map_or_else(|| arguments.map.display().to_string(), |n| n.display().to_string());
+    let name = name_of_map(&arguments.map);
     let report = GradeReport {
         grade: &grade,
         map: &name,

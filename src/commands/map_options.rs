@@ -59,6 +59,11 @@ pub struct OpenMap {
     pub sources: Vec<PathBuf>,
 }
 
+/// What reports call a map: the name of its file or folder.
+pub fn name_of_map(map: &Path) -> String {
+    map.file_name().map_or_else(|| map.display().to_string(), |name| name.display().to_string())
+}
+
 impl MapOptions {
     /// Opens the map, with faces of any size as in `check`, and reads the lookup.
     pub fn open(&self) -> Result<OpenMap> {
@@ -74,11 +79,10 @@ impl MapOptions {
         let lookup = engine.lookup(given.as_deref(), DEFAULT_LOOKUP, &skybox)?;
         let mut sources = skybox.files();
         sources.extend(given.iter().map(PathBuf::from));
-        let name = map.file_name().map_or_else(|| map.display().to_string(), |name| name.display().to_string());
         Ok(OpenMap {
             skybox,
             lookup,
-            name,
+            name: name_of_map(map),
             lookup_name: engine.name(given.as_deref(), DEFAULT_LOOKUP),
             usual_up: world_up.or(engine.world_up()),
             remarks: engine.description().into_iter().chain(config.map(|config| config.line())).collect(),
