@@ -31,7 +31,7 @@ pub struct Config {
     file: PathBuf,
     folder: PathBuf,
     lookup: Option<String>,
-    engine: Option<String>,
+    engine: Option<Engine>,
     world_up: Option<SignedAxis>,
     allowances: Vec<Allowance>,
 }
@@ -53,8 +53,7 @@ impl Reading {
         let Some(config) = config else { return self };
         if self.lookup.is_none() && !self.engine.is_given() {
             self.lookup.clone_from(&config.lookup);
-            let engine = config.engine.as_deref().and_then(|name| Engine::from_str(name, false).ok());
-            self.engine = EngineOption::of(engine);
+            self.engine = EngineOption::of(config.engine);
         }
         // An engine that the command line names brings its own axis.
         let up = if self.engine.is_given() && config.engine.is_none() { None } else { config.world_up };
@@ -102,7 +101,8 @@ impl Config {
         let world_up = table.optional("world_up").map(|value| axis(&value)).transpose()?;
         if let (Some(lookup), Some(engine)) = (&lookup, &engine) {
             return Err(Error::new(format!(
-                "lookup = \"{lookup}\" and engine = \"{engine}\": an engine brings its lookup with it"
+                "lookup = \"{lookup}\" and engine = \"{}\": an engine brings its lookup with it",
+                engine.name()
             ))
             .in_file(&file)
             .expected("one of the two"));
@@ -146,10 +146,10 @@ fn lookup(value: &Value) -> Result<String> {
         .expected(format!("one of {}, or a TOML file with your table", names_of::<Preset>().join(", "))))
 }
 
-fn engine(value: &Value) -> Result<String> {
+fn engine(value: &Value) -> Result<Engine> {
     let name = value.text()?;
-    let error = || value.error(format!("there is no engine \"{name}\"")).expected(names_of::<Engine>().join(", "));
-    Engine::from_str(name, false).map(|_| name.to_owned()).map_err(|_| error())
+    let error = |_| value.error(format!("there is no engine \"{name}\"")).expected(names_of::<Engine>().join(", "));
+    Engine::from_str(name, false).map_err(error)
 }
 
 fn axis(value: &Value) -> Result<SignedAxis> {

@@ -23,7 +23,7 @@ use serde::Serialize;
 use super::check::{CheckReport, MapCheck, Totals};
 use super::formats::{Examined, ReportedFinding};
 use super::json::to_json;
-use crate::envmap::SignedAxis;
+use crate::envmap::{Engine, SignedAxis};
 use crate::error::Result;
 use crate::validate::{Check, Finding, KINDS, Level, Verdict};
 
@@ -47,7 +47,7 @@ pub struct ConfigReport {
     /// The lookup that it sets.
     pub lookup: Option<String>,
     /// The engine that it sets.
-    pub engine: Option<String>,
+    pub engine: Option<Engine>,
     /// The up axis that it sets.
     pub world_up: Option<SignedAxis>,
     /// The kinds of findings that it allows in this map.
@@ -58,7 +58,7 @@ impl ConfigReport {
     /// `skies/skycube.toml: lookup course, world up +z, allows exposure`.
     pub fn line(&self) -> String {
         let lookup = self.lookup.iter().map(|lookup| format!("lookup {lookup}"));
-        let engine = self.engine.iter().map(|engine| format!("engine {engine}"));
+        let engine = self.engine.iter().map(|engine| format!("engine {}", engine.name()));
         let up = self.world_up.iter().map(|up| format!("world up {up}"));
         let allowed = (!self.allow.is_empty()).then(|| format!("allows {}", self.allow.join(", ")));
         let parts: Vec<String> = lookup.chain(engine).chain(up).chain(allowed).collect();

@@ -24,8 +24,9 @@ use super::world::{Handedness, World};
 use crate::choice::name_of;
 
 /// An engine or graphics library that shows skyboxes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, ValueEnum, serde::Serialize)]
 #[value(rename_all = "kebab-case")]
+#[serde(rename_all = "kebab-case")]
 pub enum Engine {
     /// The world's directions as they are; right-handed, y up
     Opengl,
