@@ -166,7 +166,7 @@ impl PairReport {
             sentences: std::iter::once(report.verdict_line()).chain(findings).collect(),
             figures: Some(json!(report)),
             pictures: if shown { Some(encoded_views(&report.comparison().views.before)?) } else { None },
-            examined: report.examined(name.clone(), mine),
+            examined: report.examined(name.clone(), verdict.name(), mine),
             name,
             verdict,
         })

@@ -86,18 +86,13 @@ impl<'a> CompareReport<'a> {
     }
 
     /// What was found, for formats that list findings: the verdict if the pictures differ, then each mistake.
-    pub(crate) fn examined(&self, name: String, mine: &Path) -> Examined {
+    pub(super) fn examined(&self, name: String, verdict: &'static str, mine: &Path) -> Examined {
         let differs = self.verdict == Verdict::Differs;
         let level = if differs { Level::Error } else { Level::Note };
         let reported = |kind, sentence| ReportedFinding { level, ..ReportedFinding::error(kind, sentence, mine) };
-        let verdict = differs.then(|| reported("differs", self.verdict_line()));
+        let fault = differs.then(|| reported(verdict, self.verdict_line()));
         let findings = self.comparison.findings.iter().map(|finding| reported(finding.kind, finding.sentence.clone()));
-        let name_of_verdict = match self.verdict {
-            Verdict::Identical => "identical",
-            Verdict::Matches => "matches",
-            Verdict::Differs => "differs",
-        };
-        Examined { name, verdict: name_of_verdict, findings: verdict.into_iter().chain(findings).collect() }
+        Examined { name, verdict, findings: fault.into_iter().chain(findings).collect() }
     }
 
     /// The verdict, and what it goes by.
